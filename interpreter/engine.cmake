@@ -4,7 +4,7 @@ file(GLOB_RECURSE JAYWALK_ACTION_SOURCES CONFIGURE_DEPENDS actions/*.cpp)
 
 jaywalk_add_library(engine
   SOURCES
-    term/circles.cpp
+    term/walk.cpp
     term/compare.cpp
     term/heap.cpp
     term/object.cpp
@@ -43,7 +43,7 @@ jaywalk_add_library(engine
     program/plan_compiler.cpp
     program/program.cpp
     program/rule_folder.cpp
-    program/solitary.cpp
+    program/isolation.cpp
     compile/beginnings.cpp
     compile/compiler.cpp
     compile/goal_patterns.cpp
@@ -86,7 +86,6 @@ jaywalk_add_library(engine
     coverage/coverage.cpp
     coverage/html.cpp
     coverage/lcov.cpp
-    coverage/lines.cpp
     coverage/probe_texts.cpp
     coverage/probes.cpp
     coverage/source_coverage.cpp
@@ -97,7 +96,7 @@ jaywalk_add_library(engine
     explain/explanation.cpp
     explain/near_misses.cpp
     explain/text.cpp
-    mas/ahead.cpp
+    mas/batches.cpp
     mas/constants.cpp
     mas/workers.cpp
     mas/mail.cpp
@@ -106,13 +105,13 @@ jaywalk_add_library(engine
     mas/parallel.cpp
     environment/percepts.cpp
     mas/reach.cpp
-    mas/residents.cpp
+    mas/agent_table.cpp
     mas/steps.cpp
     mas/system.cpp
     term/transfer.cpp
-    unit_test/unit_test_goals.cpp
-    unit_test/unit_test_junit.cpp
-    unit_test/unit_tests.cpp
+    agent_tests/unit_test_goals.cpp
+    agent_tests/unit_test_junit.cpp
+    agent_tests/unit_tests.cpp
     ${JAYWALK_ACTION_SOURCES}
   PUBLIC jaywalk::syntax jaywalk::support
   PRIVATE fmt::fmt PkgConfig::libpcre2)
@@ -133,7 +132,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     agent/plans/add_means.cpp agent/agent.cpp agent/execution/bindings.cpp agent/plans/choose_plan.cpp
     agent/execution/change_beliefs.cpp agent/execution/clear.cpp agent/cycle/cycle.cpp
     agent/cycle/events.cpp agent/execution/execute.cpp agent/execution/goal_arguments.cpp agent/circumstance/intention.cpp agent/cycle/messages.cpp agent/cycle/perception.cpp
-    mas/mail.cpp environment/percepts.cpp mas/residents.cpp mas/steps.cpp mas/system.cpp)
+    mas/mail.cpp environment/percepts.cpp mas/agent_table.cpp mas/steps.cpp mas/system.cpp)
   set_source_files_properties(${hot} PROPERTIES UNITY_GROUP core)
   if(JAYWALK_UNITY)
     get_target_property(others jaywalk_engine SOURCES)

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "env/simulator/simulators.h"
-
 namespace jaywalk {
 
 ActorState body_at(const SimulatedBody& body, double share) {

@@ -193,4 +193,14 @@ class Simulators {
   std::unique_ptr<Simulator> kept_;
 };
 
+[[nodiscard]] std::span<const SettingKey> process_keys();
+[[nodiscard]] std::vector<SettingProblem> check_process(const SimulatorParameters& parameters,
+                                                        const SimulatedSite* site);
+[[nodiscard]] std::unique_ptr<Simulator> make_process(const SimulatorParameters& parameters);
+
+[[nodiscard]] std::span<const SettingKey> sumo_keys();
+[[nodiscard]] std::vector<SettingProblem> check_sumo(const SimulatorParameters& parameters,
+                                                     const SimulatedSite* site);
+[[nodiscard]] std::unique_ptr<Simulator> make_sumo(const SimulatorParameters& parameters);
+
 }  // namespace jaywalk

@@ -11,6 +11,7 @@
 #include "experiment/export/exporter.h"
 #include "experiment/results/excerpt.h"
 #include "experiment/scenario/files/temporary.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {
@@ -18,14 +19,13 @@ namespace {
 /// The most characters of a name that PostgreSQL keeps.
 constexpr std::size_t kLongestName = 63;
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool begins_name(char c) { return is_lower(c) || c == '_'; }
 
 /// A name that PostgreSQL takes without quotes, of its own words apart.
 bool is_schema_name(std::string_view name) {
-  return !name.empty() && name.size() <= kLongestName && is_letter(name.front()) &&
+  return !name.empty() && name.size() <= kLongestName && begins_name(name.front()) &&
          !name.starts_with("pg_") &&
-         std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c); });
+         std::ranges::all_of(name, [](char c) { return begins_name(c) || is_digit(c); });
 }
 
 /// The store's file name as such a name: `Runs of May.gpkg` is `runs_of_may`.
@@ -33,7 +33,7 @@ std::string default_schema(const std::string& store) {
   std::string name = std::filesystem::path(store).stem().string();
   for (char& c : name) {
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (!is_letter(c) && !is_digit(c)) c = '_';
+    if (!begins_name(c) && !is_digit(c)) c = '_';
   }
   if (name.empty() || is_digit(name.front()) || name.starts_with("pg_")) name.insert(0, "_");
   return name.substr(0, kLongestName);

@@ -17,7 +17,6 @@
 #include "experiment/test_run/tested_vehicles.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/support/diagnostics.h"
-#include "interpreter/support/excerpt.h"
 #include "interpreter/support/input/missing_file.h"
 #include "interpreter/syntax/load.h"
 

@@ -1,4 +1,4 @@
-// Agents that come and go; the end of the run.
+// Agents that come and go; the yellow pages: which agent offers which service; the end of the run.
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/surroundings/services.h"
 
 namespace jaywalk::actions {
 namespace {
@@ -42,6 +43,16 @@ std::string name_for(Value variable, const SymbolTable& symbols) {
 }
 
 bool is_name(Value value) { return value.is_atom() || value.is_text(); }
+
+// The service that the first of `count` arguments names; a second one is its type.
+Service service_of(ActionCall& call, std::size_t count) {
+  Service service;
+  service.name = text_of(call.arg(0), call.symbols());
+  if (count > 1) service.type = text_of(call.arg(1), call.symbols());
+  return service;
+}
+
+ServiceDirectory& services(ActionCall& call) { return call.agent()->host().society().services(); }
 
 }  // namespace
 
@@ -108,6 +119,29 @@ Outcome stop_mas(ActionCall& call) {
     exit_code = static_cast<int>(std::clamp(call.arg(1).as_number(), -255.0, 255.0));
   }
   call.agent()->host().society().stop(*call.agent(), deadline_ms, exit_code);
+  return Outcome::succeeded;
+}
+
+Outcome df_register(ActionCall& call) {
+  services(call).add(call.agent()->name(), service_of(call, call.count()));
+  return Outcome::succeeded;
+}
+
+Outcome df_deregister(ActionCall& call) {
+  services(call).remove(call.agent()->name(), service_of(call, call.count()));
+  return Outcome::succeeded;
+}
+
+Outcome df_search(ActionCall& call) {
+  std::vector<Value> providers;
+  for (const std::string& name : services(call).search(service_of(call, call.count() - 1))) {
+    providers.push_back(Value::atom(call.symbols().predicate(name, 0)));
+  }
+  return call.result(call.count() - 1, call.heap().list(providers));
+}
+
+Outcome df_subscribe(ActionCall& call) {
+  services(call).subscribe(call.agent()->name(), service_of(call, call.count()));
   return Outcome::succeeded;
 }
 

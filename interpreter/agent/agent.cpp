@@ -260,7 +260,7 @@ bool Agent::remove_belief(Value literal, Intention* focus) {
 std::optional<Value> Agent::add_fact(Value literal, Place place) {
   heap_.require_room();
   std::optional<Value> added = beliefs_.add(literal, place);
-  if (added) heap_.note_beside(Relation::kRowBytes);
+  if (added) heap_.note_other_bytes(Relation::kRowBytes);
   return added;
 }
 
@@ -297,7 +297,7 @@ Intention& Agent::new_intention() {
     made->start_again(next_intention_);
   }
   ++next_intention_;
-  heap_.note_beside(sizeof(Intention) + sizeof(IntendedMeans));
+  heap_.note_other_bytes(sizeof(Intention) + sizeof(IntendedMeans));
   circumstance_.intentions.push_back(std::move(made));
   return *circumstance_.intentions.back();
 }

@@ -100,7 +100,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Null: unobserved.
   [[nodiscard]] ReasoningObserver* observer() const { return observer_; }
   /// Why it has dropped intentions, in the order of the first times.
-  [[nodiscard]] const Seldom<std::vector<DropCause>>& drops() const { return drops_; }
+  [[nodiscard]] const LazyContainer<std::vector<DropCause>>& drops() const { return drops_; }
 
   /// Believes a literal (source(self) if it has no source) and makes the event; `focus` is the
   /// intention that waits for it, or null. True: something changed.
@@ -424,7 +424,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   [[nodiscard]] PlanLibrary& own_library();
 
   // Memory (memory.cpp).
-  [[nodiscard]] std::size_t bytes_beside_terms();
+  [[nodiscard]] std::size_t other_bytes();
   void let_go_of_memory();
   [[nodiscard]] bool tells_of_memory();
   [[nodiscard]] static bool handles_failure(const Intention& intention);

@@ -16,7 +16,7 @@
 #include "interpreter/agent/workspace.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/program/program.h"
-#include "interpreter/support/containers/seldom.h"
+#include "interpreter/support/containers/lazy.h"
 #include "interpreter/support/random.h"
 
 namespace jaywalk {
@@ -57,7 +57,7 @@ class AgentParts {
   std::shared_ptr<const Customisation> customisation_;
   const PlanLibrary* library_;     // the program's, or its own
   std::unique_ptr<OwnParts> own_;  // null: nothing
-  Seldom<std::vector<DropCause>> drops_;
+  LazyContainer<std::vector<DropCause>> drops_;
   std::uint64_t next_token_ = 1;
   std::uint32_t next_intention_ = 1;
   std::uint32_t number_ = 0;

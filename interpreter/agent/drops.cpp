@@ -6,7 +6,7 @@
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/goal_stack.h"
-#include "interpreter/support/excerpt.h"
+#include "interpreter/support/diagnostics.h"
 #include "interpreter/support/text.h"
 #include "interpreter/term/print.h"
 

@@ -24,7 +24,7 @@ std::size_t bytes_of(const Loop& loop) {
 }
 
 // The memory of a means outside of its intention's stack.
-std::size_t bytes_beside(const IntendedMeans& means) {
+std::size_t other_bytes_of(const IntendedMeans& means) {
   if (!means.extras) return 0;
   const MeansExtras& extras = *means.extras;
   std::size_t bytes = sizeof(MeansExtras);
@@ -62,11 +62,11 @@ std::size_t Intention::bytes() const {
   std::size_t bytes = sizeof(Intention) + 2 * kContainerBytes +
                       grown_bytes(std::max<std::size_t>(stack.size(), 1), sizeof(IntendedMeans)) +
                       grown_bytes(std::max(values.size(), kLeastValues), sizeof(Value));
-  for (const IntendedMeans& means : stack) bytes += bytes_beside(means);
+  for (const IntendedMeans& means : stack) bytes += other_bytes_of(means);
   return bytes;
 }
 
-std::size_t Agent::bytes_beside_terms() {
+std::size_t Agent::other_bytes() {
   const Circumstance& c = circumstance_;
   std::size_t bytes = sizeof(Agent) + heap_.object_bytes() + beliefs_.bytes();
   for (const auto& intention : c.intentions) bytes += intention->bytes();
@@ -92,7 +92,7 @@ void Agent::clean_up() {
   if (heap_.wants_collection()) collect_garbage();
   if (!heap_.wants_count()) return;
   let_go_of_memory();
-  heap_.set_beside(bytes_beside_terms());
+  heap_.set_other_bytes(other_bytes());
 }
 
 // While a plan handles a failure, it may have a little more than others.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/term/width.h"
+#include "interpreter/term/heap.h"
 
 namespace jaywalk {
 

@@ -88,11 +88,11 @@ struct Workspace {
 struct QueueRemains {
   Ring<Event> events;
   std::vector<std::unique_ptr<Intention>> intentions;
-  Seldom<Ring<Message>> mailbox;
-  Seldom<std::vector<Message>> arriving;
-  Seldom<Ring<PendingAction>> actions;
-  Seldom<std::vector<PendingAction>> acting;
-  Seldom<Ring<Feedback>> feedback;
+  LazyContainer<Ring<Message>> mailbox;
+  LazyContainer<std::vector<Message>> arriving;
+  LazyContainer<Ring<PendingAction>> actions;
+  LazyContainer<std::vector<PendingAction>> acting;
+  LazyContainer<Ring<Feedback>> feedback;
 
   void use(Circumstance& from) {
     use(from.events, events);

@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include "interpreter/check/checking.h"
-#include "interpreter/check/words.h"
 #include "interpreter/support/remarks.h"
 
 namespace jaywalk {

@@ -10,7 +10,6 @@
 
 #include "interpreter/check/checking.h"
 #include "interpreter/check/index/traversal.h"
-#include "interpreter/check/words.h"
 #include "interpreter/syntax/printer.h"
 
 namespace jaywalk {

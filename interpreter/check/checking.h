@@ -5,13 +5,13 @@
 
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "interpreter/check/check.h"
-#include "interpreter/check/index/mentions.h"
 #include "interpreter/check/index/program_index.h"
 #include "interpreter/check/index/uses.h"
 #include "interpreter/support/containers/lazy.h"
@@ -90,5 +90,25 @@ class Checking {
 
 #define JAYWALK_CHECK(function, code, summary) void function(Checking& checking);
 #include "interpreter/check/checks.def"
+
+/// Whether one name is likely a slip for the other: long enough, and not distinguished on purpose
+/// as `left1` and `left2` are, `pos_x` and `pos_y`, `bid` and `bids`.
+[[nodiscard]] bool is_misspelling(std::string_view name, std::string_view meant);
+
+/// Whether one word becomes the other by one letter more, less or changed, or by two neighbours
+/// that change places: a Damerau-Levenshtein distance of 1.
+[[nodiscard]] bool is_one_slip(std::string_view a, std::string_view b);
+
+/// "1 or 2 arguments"
+[[nodiscard]] std::string counted(const std::set<int>& arities);
+[[nodiscard]] std::string counted(const Vocabulary::Entry& entry);
+
+/// The first entry of that name, or null.
+/// `.print` for `jason.stdlib.print`; other names as they are.
+[[nodiscard]] std::string_view short_name(std::string_view action);
+[[nodiscard]] const Vocabulary::Entry* entry_of(std::span<const Vocabulary::Entry> entries,
+                                                std::string_view name);
+[[nodiscard]] bool takes(const Vocabulary::Entry& entry, int arity);
+[[nodiscard]] std::vector<std::string> names_of(std::span<const Vocabulary::Entry> entries);
 
 }  // namespace jaywalk

@@ -13,7 +13,7 @@
 
 #include "interpreter/check/checking.h"
 #include "interpreter/check/index/traversal.h"
-#include "interpreter/syntax/node.h"
+#include "interpreter/syntax/ast.h"
 #include "interpreter/syntax/printer.h"
 
 namespace jaywalk {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "interpreter/check/checking.h"
-#include "interpreter/check/words.h"
 
 namespace jaywalk {
 namespace {

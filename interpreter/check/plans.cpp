@@ -12,7 +12,7 @@
 #include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/checking.h"
 #include "interpreter/check/index/traversal.h"
-#include "interpreter/syntax/node.h"
+#include "interpreter/syntax/ast.h"
 #include "interpreter/syntax/printer.h"
 
 namespace jaywalk {

@@ -11,7 +11,6 @@
 
 #include "interpreter/check/checking.h"
 #include "interpreter/check/index/traversal.h"
-#include "interpreter/check/words.h"
 
 namespace jaywalk {
 namespace {

@@ -16,9 +16,8 @@
 #include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/checking.h"
 #include "interpreter/check/index/traversal.h"
-#include "interpreter/check/words.h"
-#include "interpreter/support/characters.h"
-#include "interpreter/syntax/node.h"
+#include "interpreter/support/text.h"
+#include "interpreter/syntax/ast.h"
 #include "interpreter/syntax/printer.h"
 
 namespace jaywalk {

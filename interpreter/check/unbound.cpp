@@ -2,16 +2,21 @@
 // through each plan and rule in the order in which it is carried out. What may bind, binds; so a
 // warning is certain, whatever the beliefs are.
 
+#include <cstddef>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "interpreter/actions/table/action_traits.h"
-#include "interpreter/check/bindings.h"
 #include "interpreter/check/checking.h"
-#include "interpreter/syntax/node.h"
+#include "interpreter/check/index/traversal.h"
+#include "interpreter/support/text.h"
+#include "interpreter/syntax/ast.h"
 
 namespace jaywalk {
 namespace {
@@ -25,6 +30,79 @@ using ast::Statement;
 constexpr std::string_view kLoop = "what a loop gives a variable is lost after it";
 constexpr std::string_view kCollector =
     "what a query within an internal action gives a variable is lost after it";
+
+// `_12abc` is the variable `_12`; every other `_x` is a variable of its own, wherever it stands.
+std::string_view identity(std::string_view name) {
+  if (name.front() != '_') return name;
+  std::size_t end = 1;
+  while (end < name.size() && is_digit(name[end])) ++end;
+  return end == 1 ? std::string_view() : name.substr(0, end);
+}
+
+/// Which variables may have a value at a point of a plan or rule. Entries can be undone to a mark,
+/// for branches and loops.
+class MaybeBound {
+ public:
+  using Mark = std::size_t;
+
+  [[nodiscard]] bool contains(const ast::Node& variable) const;
+  /// All variables of the term may have a value from here on.
+  void add_all_in(const ast::Node& term);
+  void add(std::string_view name);
+  void add(const std::vector<std::string_view>& names);
+  /// From here on every variable may have a value, because an unknown body was carried out.
+  void add_everything() { everything_ = true; }
+
+  [[nodiscard]] Mark mark() const { return trail_.size(); }
+  /// Removes the variables that were added since the mark, and returns them.
+  std::vector<std::string_view> undo(Mark mark);
+  /// Like undo(), and remembers why for the hint.
+  void lose(Mark mark, std::string_view why);
+  /// Why the variable has no value any more; empty if it never had one.
+  [[nodiscard]] std::string_view why_lost(std::string_view name) const;
+
+ private:
+  std::set<std::string_view> bound_;
+  std::vector<std::string_view> trail_;
+  std::map<std::string_view, std::string_view> lost_;
+  bool everything_ = false;
+};
+
+bool MaybeBound::contains(const ast::Node& variable) const {
+  const std::string_view name = identity(variable.text);
+  return !name.empty() && (everything_ || bound_.contains(name));
+}
+
+void MaybeBound::add_all_in(const ast::Node& term) {
+  each_node(term, [this](const ast::Node& node) {
+    if (node.kind == ast::Kind::variable) add(identity(node.text));
+  });
+}
+
+void MaybeBound::add(std::string_view name) {
+  if (!name.empty() && bound_.insert(name).second) trail_.push_back(name);
+}
+
+void MaybeBound::add(const std::vector<std::string_view>& names) {
+  for (const std::string_view name : names) add(name);
+}
+
+std::vector<std::string_view> MaybeBound::undo(Mark mark) {
+  std::vector<std::string_view> undone(trail_.begin() + static_cast<std::ptrdiff_t>(mark),
+                                       trail_.end());
+  for (const std::string_view name : undone) bound_.erase(name);
+  trail_.resize(mark);
+  return undone;
+}
+
+void MaybeBound::lose(Mark mark, std::string_view why) {
+  for (const std::string_view name : undo(mark)) lost_[name] = why;
+}
+
+std::string_view MaybeBound::why_lost(std::string_view name) const {
+  const auto found = lost_.find(identity(name));
+  return found == lost_.end() ? std::string_view() : found->second;
+}
 
 class Flow {
  public:

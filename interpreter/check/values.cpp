@@ -14,7 +14,6 @@
 #include "interpreter/check/checking.h"
 #include "interpreter/check/index/atom_flow.h"
 #include "interpreter/check/index/traversal.h"
-#include "interpreter/check/words.h"
 
 namespace jaywalk {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/coverage/lines.h"
+#include "interpreter/coverage/source_coverage.h"
 #include "interpreter/support/markup.h"
 
 namespace jaywalk {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/coverage/lines.h"
+#include "interpreter/coverage/source_coverage.h"
 
 namespace jaywalk {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/support/read_program.h"
+#include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/parser.h"
 #include "interpreter/syntax/project/project.h"
 

@@ -29,7 +29,8 @@ Value copy_content(Value content, Heap& heap, std::size_t most) {
 // Messages sent in a round count towards their sender's memory during this round, then towards the
 // receiver's. A receiver without room gets no more messages; whether it has room is settled between
 // rounds, so that neither order nor threads matter.
-void Mas::Implementation::require_room_for_message(Resident& sender, const Resident& receiver) {
+void Mas::Implementation::require_room_for_message(AgentRecord& sender,
+                                                   const AgentRecord& receiver) {
   if (receiver.is_full) {
     throw QueryLimit{
         fmt::format("agent {} has no memory left for messages", receiver.agent->name())};
@@ -43,38 +44,38 @@ void Mas::Implementation::require_room_for_message(Resident& sender, const Resid
 }
 
 // Names become atoms when they are first needed: most agents of a large system send nothing.
-const Resident& Mas::Implementation::named(Resident& resident) {
-  if (!resident.name) {
-    resident.name = symbols_.predicate(resident.agent->name(), 0);
-    resident.name_text = symbols_.text(symbols_.symbol(resident.agent->name()));
+const AgentRecord& Mas::Implementation::named(AgentRecord& record) {
+  if (!record.name) {
+    record.name = symbols_.predicate(record.agent->name(), 0);
+    record.name_text = symbols_.text(symbols_.symbol(record.agent->name()));
   }
-  return resident;
+  return record;
 }
 
-Resident* Mas::Implementation::receiver_of(const OutgoingMessage& message, Agent& sender) {
+AgentRecord* Mas::Implementation::receiver_of(const OutgoingMessage& message, Agent& sender) {
   if (!message.receiver_atom) {
-    return message.receiver == "self" ? &residents_.of(sender) : residents_.find(message.receiver);
+    return message.receiver == "self" ? &table_.of(sender) : table_.find(message.receiver);
   }
   const Predicate atom = *message.receiver_atom;
-  if (atom == predicates::self) return &residents_.of(sender);
-  if (Resident* const known = residents_.known_as(atom)) return known;
-  Resident* const found = residents_.find(symbols_.functor(atom));
-  if (found != nullptr && beside(sender) == nullptr) residents_.remember(atom, *found);
+  if (atom == predicates::self) return &table_.of(sender);
+  if (AgentRecord* const known = table_.known_as(atom)) return known;
+  AgentRecord* const found = table_.find(symbols_.functor(atom));
+  if (found != nullptr && block_of(sender) == nullptr) table_.remember(atom, *found);
   return found;
 }
 
 bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   sender.turn().has_business = true;
-  Resident* const receiver = receiver_of(message, sender);
+  AgentRecord* const receiver = receiver_of(message, sender);
   if (receiver == nullptr) return false;
-  Resident& from = residents_.of(sender);
+  AgentRecord& from = table_.of(sender);
   require_room_for_message(from, *receiver);
   Message copy;
   if (receiver->agent.get() == &sender) {
     copy.sender = "self";
     copy.sender_atom = predicates::self;
   } else {
-    const Resident& own = named(from);
+    const AgentRecord& own = named(from);
     copy.sender = own.name_text;
     copy.sender_atom = *own.name;
   }
@@ -83,8 +84,8 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
   copy.in_reply_to = message.in_reply_to;
   // The message's size counts towards the sender's limit: terms that share their parts are larger
   // as copies.
-  if (Beside* const beside = this->beside(sender)) {
-    Outbox& outbox = beside->outbox;
+  if (ParallelBlock* const block = this->block_of(sender)) {
+    Outbox& outbox = block->outbox;
     const std::size_t before = outbox.heap.bytes();
     copy.content = copy_content(message.content, outbox.heap, options_.max_agent_bytes);
     from.sent_bytes += outbox.heap.bytes() - before;
@@ -100,7 +101,7 @@ bool Mas::Implementation::send(Agent& sender, const OutgoingMessage& message) {
 void Mas::Implementation::tell_of_provider(const std::string& subscriber,
                                            const std::string& provider,
                                            const std::string& service) {
-  Resident* const receiver = residents_.find(subscriber);
+  AgentRecord* const receiver = table_.find(subscriber);
   if (receiver == nullptr) return;
   Heap& heap = receiver->agent->heap();
   const std::array<Value, 2> args{Value::atom(symbols_.predicate(provider, 0)), heap.text(service)};
@@ -112,7 +113,7 @@ void Mas::Implementation::tell_of_provider(const std::string& subscriber,
   post(*receiver, message);
 }
 
-void Mas::Implementation::post(Resident& receiver, const Message& message) {
+void Mas::Implementation::post(AgentRecord& receiver, const Message& message) {
   turn_.has_business = true;
   receiver.agent->circumstance().arriving.push_back(message);
   if (receiver.has_mail) return;
@@ -122,7 +123,7 @@ void Mas::Implementation::post(Resident& receiver, const Message& message) {
 
 // Variables and collections are numbered by the heap that they come into, and people see the
 // numbers: those of the receiver's own in this round come before.
-void Mas::Implementation::post_content(Resident& receiver, Message message, Value content) {
+void Mas::Implementation::post_content(AgentRecord& receiver, Message message, Value content) {
   if (content.is_number() || content.is_atom()) {
     message.content = content;  // it is in no heap
     post(receiver, message);
@@ -153,7 +154,7 @@ Value Mas::Implementation::hand_over(Value content, Agent& receiver) {
 
 void Mas::Implementation::look_at_full() {
   std::erase_if(full_, [this](std::uint32_t number) {
-    Resident& receiver = residents_[number];
+    AgentRecord& receiver = table_[number];
     if (!receiver.is_leaving) look_for_room(receiver);
     return receiver.is_leaving || !receiver.is_full;
   });
@@ -164,7 +165,7 @@ bool Mas::Implementation::deliver_messages() {
   if (!full_.empty()) look_at_full();
   if (receivers_.empty()) return false;
   for (const Content& each : contents_) {
-    Resident& receiver = residents_[each.receiver];
+    AgentRecord& receiver = table_[each.receiver];
     if (receiver.is_leaving) continue;
     receiver.agent->circumstance().arriving[each.message].content =
         hand_over(each.content, *receiver.agent);
@@ -173,12 +174,12 @@ bool Mas::Implementation::deliver_messages() {
   if (mail_ && mail_->is_short()) mail_.reset();  // its failures are forgotten, too
   if (mail_) mail_->clear();
   for (const std::uint32_t number : receivers_) {
-    Resident& receiver = residents_[number];
+    AgentRecord& receiver = table_[number];
     receiver.has_mail = false;
     if (receiver.is_leaving) continue;
     auto& arriving = receiver.agent->circumstance().arriving;
     for (const Message& message : arriving) receiver.agent->receive(message);
-    receiver.agent->heap().note_beside(arriving.size() * sizeof(Message));
+    receiver.agent->heap().note_other_bytes(arriving.size() * sizeof(Message));
     arriving.clear();
     if (!receiver.is_full) {
       look_for_room(receiver);

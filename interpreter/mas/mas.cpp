@@ -49,16 +49,16 @@ RunOutcome Mas::run() {
 bool Mas::step() { return implementation_->step(); }
 bool Mas::stride() { return implementation_->stride(); }
 const RunOutcome& Mas::outcome() const { return implementation_->outcome(); }
-std::size_t Mas::agent_count() const { return implementation_->residents().size(); }
+std::size_t Mas::agent_count() const { return implementation_->records().size(); }
 
 bool Mas::is_alive(AgentId id) const {
   const auto number = static_cast<std::uint32_t>(id);
-  const Residents& residents = implementation_->residents();
-  return number < residents.size() && !residents[number].is_leaving;
+  const AgentTable& records = implementation_->records();
+  return number < records.size() && !records[number].is_leaving;
 }
 
 const Agent& Mas::agent(AgentId id) const {
-  Agent& agent = *implementation_->residents()[static_cast<std::uint32_t>(id)].agent;
+  Agent& agent = *implementation_->records()[static_cast<std::uint32_t>(id)].agent;
   agent.start_if_due();
   return agent;
 }
@@ -66,7 +66,7 @@ const Agent& Mas::agent(AgentId id) const {
 const std::string& Mas::agent_name(AgentId id) const {
   static const std::string kNobody;
   if (!is_alive(id)) return kNobody;
-  return implementation_->residents()[static_cast<std::uint32_t>(id)].agent->name();
+  return implementation_->records()[static_cast<std::uint32_t>(id)].agent->name();
 }
 
 std::vector<std::string> Mas::describe_intentions(AgentId id) const {

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <unistd.h>
 
-#include "interpreter/mas/machine_memory.h"
 #include "interpreter/mas/system.h"
 
 namespace jaywalk {
@@ -59,7 +58,7 @@ void Mas::Implementation::share_memory() {
   }
   left_bytes_ = most - std::min(most, owned);
   if (left_bytes_ >= options_.max_agent_bytes) return;
-  least_bytes_ = most / (kPartOfShare * std::max<std::size_t>(1, residents_.living()));
+  least_bytes_ = most / (kPartOfShare * std::max<std::size_t>(1, table_.living()));
 }
 
 // Much of what agents own may be garbage. Where next to nothing is, that is found out ever less
@@ -67,11 +66,11 @@ void Mas::Implementation::share_memory() {
 void Mas::Implementation::sweep() {
   constexpr std::uint32_t kMostRounds = 1024;
   const std::int64_t before = owned_bytes_;
-  for (Resident& resident : residents_.all()) {
-    if (resident.is_leaving || resident.agent == nullptr) continue;
-    resident.agent->heap().look_again();
-    resident.agent->clean_up();
-    note_memory(resident, owned_bytes_);
+  for (AgentRecord& record : table_.all()) {
+    if (record.is_leaving || record.agent == nullptr) continue;
+    record.agent->heap().look_again();
+    record.agent->clean_up();
+    note_memory(record, owned_bytes_);
   }
   const bool was_worth_it = owned_bytes_ < before - before / 16;
   rounds_to_sweep_ = was_worth_it ? 1 : std::min(2 * rounds_to_sweep_ + 1, kMostRounds);
@@ -79,28 +78,28 @@ void Mas::Implementation::sweep() {
   share_memory();
 }
 
-void Mas::Implementation::allow_memory(Resident& resident) const {
-  Heap& heap = resident.agent->heap();
+void Mas::Implementation::allow_memory(AgentRecord& record) const {
+  Heap& heap = record.agent->heap();
   if (left_bytes_ >= options_.max_agent_bytes && heap.limit() == options_.max_agent_bytes) return;
   const std::size_t most = std::max(heap.all_bytes() + left_bytes_, least_bytes_);
   heap.set_limit_of_all(most < options_.max_agent_bytes);
   heap.set_limit(std::min<std::size_t>(most, options_.max_agent_bytes));
 }
 
-void Mas::Implementation::note_memory(Resident& resident, std::int64_t& sum) {
-  const Heap& heap = resident.agent->heap();
-  const std::size_t all = heap.bytes() + heap.beside() + sizeof(Agent) + sizeof(Resident);
-  sum += static_cast<std::int64_t>(all) - static_cast<std::int64_t>(resident.known_bytes);
-  resident.known_bytes = all;
+void Mas::Implementation::note_memory(AgentRecord& record, std::int64_t& sum) {
+  const Heap& heap = record.agent->heap();
+  const std::size_t all = heap.bytes() + heap.other_bytes() + sizeof(Agent) + sizeof(AgentRecord);
+  sum += static_cast<std::int64_t>(all) - static_cast<std::int64_t>(record.known_bytes);
+  record.known_bytes = all;
 }
 
-void Mas::Implementation::release_memory(Resident& resident) {
-  owned_bytes_ -= static_cast<std::int64_t>(resident.known_bytes);
-  resident.known_bytes = 0;
+void Mas::Implementation::release_memory(AgentRecord& record) {
+  owned_bytes_ -= static_cast<std::int64_t>(record.known_bytes);
+  record.known_bytes = 0;
 }
 
 // Notes whether the agent has room for messages, which may fill seven eighths of its limit.
-void Mas::Implementation::look_for_room(Resident& receiver) {
+void Mas::Implementation::look_for_room(AgentRecord& receiver) {
   constexpr std::uint32_t kMostDeliveries = 1024;
   Heap& heap = receiver.agent->heap();
   const std::size_t most = options_.max_agent_bytes - options_.max_agent_bytes / 8;

@@ -1,4 +1,4 @@
-// Rounds in which agents reason beside each other, on several threads, with the same result as one
+// Rounds in which agents reason in parallel, on several threads, with the same result as one
 // after another.
 //
 // In a round every active agent takes a turn, in the order of numbers. Agents share nothing but the
@@ -14,7 +14,7 @@
 // Where an agent ends the run, the turns behind it have not been taken, as it were: what they asked
 // for is dropped with their outboxes, and these agents take no further turns.
 //
-// Agents whose turn others could notice within the round (reach.h) do not reason beside others.
+// Agents whose turn others could notice within the round (reach.h) do not reason in parallel.
 // They split the round: all before them have their turns, then they, then all behind them.
 //
 // An outbox may hold much: a text is longer than the term that it prints. Where they hold too much
@@ -23,65 +23,66 @@
 //
 // Rounds of a few agents are not worth the trouble.
 
+#include "interpreter/mas/parallel.h"
+
 #include <algorithm>
 
-#include "interpreter/mas/beside.h"
 #include "interpreter/mas/system.h"
 
 namespace jaywalk {
 
-bool Mas::Implementation::can_reason_beside(Resident& resident) {
-  if (resident.reach_version != reaches_.version()) {
-    resident.reach_version = reaches_.version();
-    resident.is_near = resident.agent != nullptr && resident.agent->customisation() == nullptr &&
-                       reaches_.is_near(*resident.program);
+bool Mas::Implementation::can_reason_in_parallel(AgentRecord& record) {
+  if (record.reach_version != reaches_.version()) {
+    record.reach_version = reaches_.version();
+    record.is_near = record.agent != nullptr && record.agent->customisation() == nullptr &&
+                     reaches_.is_near(*record.program);
   }
-  return resident.is_near;
+  return record.is_near;
 }
 
 bool Mas::Implementation::round(Turn turn) {
-  const std::span<const std::uint32_t> active = residents_.begin_round();
+  const std::span<const std::uint32_t> active = table_.begin_round();
   std::uint64_t turns = 0;
   std::size_t next = 0;
   while (next < active.size() && !ended_) {
     std::size_t end = next;
-    if (workers_ != nullptr && active.size() - next >= options_.fewest_beside) {
-      while (end < active.size() && can_reason_beside(residents_[active[end]])) ++end;
+    if (workers_ != nullptr && active.size() - next >= options_.fewest_parallel) {
+      while (end < active.size() && can_reason_in_parallel(table_[active[end]])) ++end;
     }
-    if (end - next >= options_.fewest_beside) {
-      turns += take_turns_beside(active.subspan(next, end - next), turn);
+    if (end - next >= options_.fewest_parallel) {
+      turns += take_turns_in_parallel(active.subspan(next, end - next), turn);
       next = end;
       continue;
     }
     for (end = std::min(end + 1, active.size()); next < end && !ended_; ++next) {
-      turns += take_turn(residents_[active[next]], turn) ? 1 : 0;
+      turns += take_turn(table_[active[next]], turn) ? 1 : 0;
     }
   }
-  residents_.end_round();
+  table_.end_round();
   share_memory();
   return turns > 0;
 }
 
-bool Mas::Implementation::take_turn(Resident& resident, Turn turn) {
-  if (resident.is_leaving || !resident.agent->is_active()) return false;
-  Agent& agent = *resident.agent;
+bool Mas::Implementation::take_turn(AgentRecord& record, Turn turn) {
+  if (record.is_leaving || !record.agent->is_active()) return false;
+  Agent& agent = *record.agent;
   agent.turn().texts.begin_turn(left_bytes_);
   do {
-    reason(resident, turn == Turn::one_cycle ? 1 : UINT64_MAX);
-  } while (turn == Turn::until_idle && !has_ended(beside(agent)) && !resident.is_leaving &&
+    reason(record, turn == Turn::one_cycle ? 1 : UINT64_MAX);
+  } while (turn == Turn::until_idle && !has_ended(block_of(agent)) && !record.is_leaving &&
            agent.is_active() && !interrupted());
   return true;
 }
 
-std::uint64_t Mas::Implementation::take_turns_beside(std::span<const std::uint32_t> numbers,
-                                                     Turn turn) {
+std::uint64_t Mas::Implementation::take_turns_in_parallel(std::span<const std::uint32_t> numbers,
+                                                          Turn turn) {
   std::uint64_t turns = 0;
-  reason_beside(
+  reason_in_parallel(
       numbers,
-      [&](Resident& resident, Beside& beside) {
-        if (take_turn(resident, turn)) ++beside.outbox.turns;
+      [&](AgentRecord& record, ParallelBlock& block) {
+        if (take_turn(record, turn)) ++block.outbox.turns;
       },
-      [&](Beside& beside) { turns += beside.outbox.turns; });
+      [&](ParallelBlock& block) { turns += block.outbox.turns; });
   return turns;
 }
 
@@ -90,7 +91,7 @@ void Mas::Implementation::empty(Outbox& outbox) {
   owned_bytes_ += outbox.grown;
   outbox.empty([this](Outbox::Kind kind, const std::string& text) { put_out(kind, text); },
                [this](Outbox::Letter& letter) {
-                 Resident& receiver = residents_[letter.receiver];
+                 AgentRecord& receiver = table_[letter.receiver];
                  post_content(receiver, letter.message, letter.message.content);
                },
                [this](const Timer& timer) { timers_.add(timer); });

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether an agent can reason beside others: only if what it does in a round cannot depend on what
+// Whether an agent can reason in parallel: only if what it does in a round cannot depend on what
 // others do in the same round, nor theirs on it. Messages, timers and lines to write can wait for
 // the end of the round. But an agent that creates or ends agents, uses the yellow pages or files,
 // or gets new plans, must take its turn after all agents before it and before all behind it.
@@ -35,7 +35,7 @@ class Reaches {
   void add(const Program& program, const SymbolTable& symbols);
   /// Changes when answers may have changed.
   [[nodiscard]] std::size_t version() const { return version_; }
-  /// Agents with this program can reason beside others. REQUIRES: it was added.
+  /// Agents with this program can reason in parallel. REQUIRES: it was added.
   [[nodiscard]] bool is_near(const Program& program) const;
 
  private:

@@ -45,15 +45,15 @@ bool Mas::Implementation::step() {
 }
 
 bool Mas::Implementation::is_to_go_on() {
-  if (residents_.has_leaving()) residents_.bury();
+  if (table_.has_leaving()) table_.bury();
   if (!ended_ && interrupted()) end({.how = RunEnd::interrupted});
   return !ended_;
 }
 
 bool Mas::Implementation::stride() {
   if (ended_) return false;
-  Resident* const lone =
-      environment_ == nullptr && !options_.realtime ? residents_.lone_active() : nullptr;
+  AgentRecord* const lone =
+      environment_ == nullptr && !options_.realtime ? table_.lone_active() : nullptr;
   if (lone != nullptr && !lone->is_leaving && lone->agent->is_active()) {
     reason_alone(*lone);
   } else {
@@ -65,10 +65,10 @@ bool Mas::Implementation::stride() {
 
 // Free steps, as long as only one agent takes part in each and no time passes: the same one, or one
 // that the last one has sent a message.
-void Mas::Implementation::reason_alone(Resident& first) {
+void Mas::Implementation::reason_alone(AgentRecord& first) {
   constexpr std::uint64_t kLongestStride = 64;  // cycles; then the caller may look at the clock
   const std::uint64_t end = outcome_.cycles + kLongestStride;
-  Resident* lone = &first;
+  AgentRecord* lone = &first;
   while (lone != nullptr && !lone->is_leaving && lone->agent->is_active()) {
     const std::uint64_t start = outcome_.cycles;
     turn_.texts.begin_turn(left_bytes_);
@@ -82,9 +82,9 @@ void Mas::Implementation::reason_alone(Resident& first) {
       pass_busy_ms();
       return;
     }
-    residents_.end_round();
-    if (outcome_.cycles >= end || residents_.has_leaving()) return;
-    lone = residents_.lone_active();
+    table_.end_round();
+    if (outcome_.cycles >= end || table_.has_leaving()) return;
+    lone = table_.lone_active();
   }
 }
 
@@ -102,14 +102,14 @@ double Mas::Implementation::wall_ms() const {
 
 // Cycles of an agent that has something to do: `most` at most, and none after one in which it has
 // asked anything of others.
-void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
-  Agent& agent = *resident.agent;
-  if (resident.period != period_) {
-    resident.period = period_;
-    resident.cycles_before = agent.cycles();
+void Mas::Implementation::reason(AgentRecord& record, std::uint64_t most) {
+  Agent& agent = *record.agent;
+  if (record.period != period_) {
+    record.period = period_;
+    record.cycles_before = agent.cycles();
   }
   most =
-      std::min(most - 1, options_.max_cycles_per_tick - (agent.cycles() - resident.cycles_before)) +
+      std::min(most - 1, options_.max_cycles_per_tick - (agent.cycles() - record.cycles_before)) +
       1;
   if (options_.max_cycles > agent.cycles()) {
     most = std::min(most, options_.max_cycles - agent.cycles());
@@ -118,21 +118,21 @@ void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
   if (options_.interrupted || options_.max_run_inferences != 0) {
     most = std::min(most, kCyclesBetweenLooks);
   }
-  allow_memory(resident);
+  allow_memory(record);
   agent.turn().has_business = false;
   const std::uint64_t taken = agent.reason(most);
-  Beside* const beside = this->beside(agent);
-  (beside != nullptr ? beside->outbox.cycles : outcome_.cycles) += taken;
-  note_memory(resident, beside != nullptr ? beside->outbox.grown : owned_bytes_);
-  if (has_ended(beside)) note_who_stopped(agent);
-  const std::uint64_t in_period = agent.cycles() - resident.cycles_before;
+  ParallelBlock* const block = this->block_of(agent);
+  (block != nullptr ? block->outbox.cycles : outcome_.cycles) += taken;
+  note_memory(record, block != nullptr ? block->outbox.grown : owned_bytes_);
+  if (has_ended(block)) note_who_stopped(agent);
+  const std::uint64_t in_period = agent.cycles() - record.cycles_before;
   if (in_period > options_.max_cycles_per_tick) {
     end({.how = RunEnd::looping,
          .message = busy_message(agent, options_.max_cycles_per_tick),
          .limit = RunLimit::cycles,
          .agent = agent.name(),
          .where = last_place(agent)},
-        beside);
+        block);
   } else if (options_.max_cycles != 0 && agent.cycles() >= options_.max_cycles) {
     end({.how = RunEnd::limit,
          .message = fmt::format("agent {} reached the limit of {} cycles", agent.name(),
@@ -140,15 +140,15 @@ void Mas::Implementation::reason(Resident& resident, std::uint64_t most) {
          .limit = RunLimit::cycles,
          .agent = agent.name(),
          .where = last_place(agent)},
-        beside);
+        block);
   }
-  if (options_.max_run_inferences != 0 && beside == nullptr) count_inferences(agent.name());
-  if (!resident.is_leaving && !agent.is_active()) put_to_sleep(resident);
+  if (options_.max_run_inferences != 0 && block == nullptr) count_inferences(agent.name());
+  if (!record.is_leaving && !agent.is_active()) put_to_sleep(record);
 }
 
 void Mas::Implementation::note_who_stopped(Agent& agent) {
-  if (Beside* const beside = this->beside(agent)) {
-    Outbox::End& end = *beside->outbox.end;
+  if (ParallelBlock* const block = this->block_of(agent)) {
+    Outbox::End& end = *block->outbox.end;
     if (end.how == RunEnd::stopped) end.agent = agent.name();
   } else if (outcome_.end == RunEnd::stopped) {
     outcome_.agent = agent.name();
@@ -193,8 +193,8 @@ void Mas::Implementation::limit_reached(Agent& agent, ReachedLimit limit, std::s
          .limit = RunLimit::memory,
          .agent = agent.name(),
          .where = std::move(where)},
-        beside(agent));
-  } else if (limit == ReachedLimit::inferences && beside(agent) == nullptr) {
+        block_of(agent));
+  } else if (limit == ReachedLimit::inferences && block_of(agent) == nullptr) {
     last_query_ = std::move(where);
     turn_.has_business = true;  // perhaps it was the run's limit
   }
@@ -248,7 +248,7 @@ void Mas::Implementation::tick() {
   reason_until_quiet();
   if (options_.measure_cpu) cpu_s_ += thread_cpu_s() - start;
   if (ended_) return;
-  residents_.bury();
+  table_.bury();
   execute_actions();
   environment_->advance();
   now_ms_ += environment_->tick_ms();
@@ -266,57 +266,57 @@ void Mas::Implementation::tick() {
 
 void Mas::Implementation::look() {
   if (outcome_.ticks == 0) stock_->constants.learn(*environment_, symbols_);
-  for (Resident& resident : residents_.all()) {
-    if (!resident.has_body() || resident.is_leaving) continue;
-    resident.percepts->begin_look();
-    environment_->perceive(AgentId{resident.number}, *resident.percepts);
-    resident.percepts->end_look();
+  for (AgentRecord& record : table_.all()) {
+    if (!record.has_body() || record.is_leaving) continue;
+    record.percepts->begin_look();
+    environment_->perceive(AgentId{record.number}, *record.percepts);
+    record.percepts->end_look();
   }
 }
 
 // At an agent's first look; then it knows that.
-KnownToAll Mas::Implementation::known_to_all(const Resident& resident) {
-  if (resident.percepts->looks() != 1) return {};
-  return stock_->constants.known_to_agents_of(resident.program, symbols_);
+KnownToAll Mas::Implementation::known_to_all(const AgentRecord& record) {
+  if (record.percepts->looks() != 1) return {};
+  return stock_->constants.known_to_agents_of(record.program, symbols_);
 }
 
 void Mas::Implementation::update_percepts() {
-  for (Resident& resident : residents_.all()) {
-    if (!resident.has_body() || resident.is_leaving) continue;
-    Agent& agent = *resident.agent;
+  for (AgentRecord& record : table_.all()) {
+    if (!record.has_body() || record.is_leaving) continue;
+    Agent& agent = *record.agent;
     ActionError error;
     const bool perceived = guarded(error, [&] {
-      agent.update_percepts(*resident.percepts, known_to_all(resident));
+      agent.update_percepts(*record.percepts, known_to_all(record));
       return true;
     });
     if (!perceived) {
       agent.log("in its percepts: " + error.message);
       limit_reached(agent, error.limit, "its percepts");
     }
-    resident.agent->rest();
-    if (resident.agent->is_active()) wake(resident);
+    record.agent->rest();
+    if (record.agent->is_active()) wake(record);
   }
 }
 
 void Mas::Implementation::execute_actions() {
   requests_.clear();
   actors_.clear();
-  for (Resident& resident : residents_.all()) {
-    if (!resident.has_body() || resident.is_leaving) continue;
-    const PendingAction* const action = resident.agent->take_action();
+  for (AgentRecord& record : table_.all()) {
+    if (!record.has_body() || record.is_leaving) continue;
+    const PendingAction* const action = record.agent->take_action();
     if (action == nullptr) continue;
     const Value literal = action->literal;
     const bool atom = literal.is_atom();
-    requests_.push_back({AgentId{resident.number},
+    requests_.push_back({AgentId{record.number},
                          atom ? literal.atom_id() : literal.structure()->predicate(),
                          atom ? std::span<const Value>{} : literal.structure()->arg_span()});
-    actors_.push_back(resident.agent.get());
+    actors_.push_back(record.agent.get());
   }
   results_.assign(requests_.size(), ActionResult{});
   environment_->execute(requests_, results_);
   for (std::size_t i = 0; i < actors_.size(); ++i) {
     actors_[i]->give_feedback(results_[i].succeeded, std::move(results_[i].reason));
-    wake(residents_.of(*actors_[i]));
+    wake(table_.of(*actors_[i]));
   }
 }
 
@@ -327,15 +327,15 @@ void Mas::Implementation::fire_timers() {
       end({.how = RunEnd::stopped, .exit_code = outcome_.exit_code});
       return;
     }
-    Resident& resident = residents_[timer.agent];
-    if (resident.is_leaving) continue;
+    AgentRecord& record = table_[timer.agent];
+    if (record.is_leaving) continue;
     if (timer.purpose == Timer::Purpose::departure) {
-      leave(resident);
+      leave(record);
       continue;
     }
-    resident.agent->timer_fired(timer.token);
-    resident.agent->rest();
-    if (resident.agent->is_active()) wake(resident);
+    record.agent->timer_fired(timer.token);
+    record.agent->rest();
+    if (record.agent->is_active()) wake(record);
   }
 }
 
@@ -347,8 +347,8 @@ void Mas::Implementation::free_step(std::uint64_t most) {
     now_ms_ = std::max(now_ms_, wall_ms());
     fire_timers();
   }
-  const std::uint64_t steps = can_run_ahead(most)
-                                  ? run_ahead(std::min(most, kStepsPerMs - busy_steps_))
+  const std::uint64_t steps = can_run_batch(most)
+                                  ? run_batch(std::min(most, kStepsPerMs - busy_steps_))
                                   : (round(Turn::one_cycle) ? 1 : 0);
   steps_ += steps;
   if (ended_) return;
@@ -365,9 +365,9 @@ void Mas::Implementation::drop_stale_timers() {
   while (!timers_.empty()) {
     const Timer& next = timers_.next();
     if (next.purpose == Timer::Purpose::stop) return;
-    const Resident& resident = residents_[next.agent];
-    const bool is_wanted = !resident.is_leaving && (next.purpose == Timer::Purpose::departure ||
-                                                    resident.agent->expects_timer(next.token));
+    const AgentRecord& record = table_[next.agent];
+    const bool is_wanted = !record.is_leaving && (next.purpose == Timer::Purpose::departure ||
+                                                  record.agent->expects_timer(next.token));
     if (is_wanted) return;
     (void)timers_.take();
   }

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/step_guard.h"
-#include "interpreter/mas/machine_memory.h"
 
 namespace jaywalk {
 
@@ -43,12 +42,12 @@ std::unique_ptr<SystemStock> Mas::Implementation::dismantle(
     std::unique_ptr<Implementation> system) {
   constexpr std::size_t kMostRemains = 64;
   system->stock_->workspaces.want_remains(kMostRemains);
-  for (Resident& resident : system->residents_.all()) {
-    if (!resident.has_body() || system->stock_->percepts.size() == kMostRemains) continue;
-    resident.percepts->clear();
-    system->stock_->percepts.push_back(std::move(resident.percepts));
+  for (AgentRecord& record : system->table_.all()) {
+    if (!record.has_body() || system->stock_->percepts.size() == kMostRemains) continue;
+    record.percepts->clear();
+    system->stock_->percepts.push_back(std::move(record.percepts));
   }
-  system->residents_ = {};
+  system->table_ = {};
   system->mail_.reset();
   std::unique_ptr<SystemStock> stock = std::move(system->stock_);
   system.reset();
@@ -58,20 +57,20 @@ std::unique_ptr<SystemStock> Mas::Implementation::dismantle(
 
 // Agents come and go.
 
-Resident& Mas::Implementation::settle(const std::string& name,
-                                      std::shared_ptr<const Program> program) {
-  const std::uint64_t seed = mix_seed(options_.seed ^ mix_seed(residents_.size()));
-  look_whether_solitary(*program);
+AgentRecord& Mas::Implementation::settle(const std::string& name,
+                                         std::shared_ptr<const Program> program) {
+  const std::uint64_t seed = mix_seed(options_.seed ^ mix_seed(table_.size()));
+  check_isolation(*program);
   auto agent =
-      std::make_unique<Agent>(residents_.free_name(name), program, symbols_, *this, seed,
+      std::make_unique<Agent>(table_.free_name(name), program, symbols_, *this, seed,
                               AgentLimits{options_.max_agent_bytes, options_.max_inferences});
   if (workers_ != nullptr) reaches_.add(*program, symbols_);
-  Resident& resident = residents_.add(std::move(agent), std::move(program));
-  resident.known_bytes = sizeof(Agent) + sizeof(Resident);
-  owned_bytes_ += static_cast<std::int64_t>(resident.known_bytes);
-  residents_.wake(resident);
+  AgentRecord& record = table_.add(std::move(agent), std::move(program));
+  record.known_bytes = sizeof(Agent) + sizeof(AgentRecord);
+  owned_bytes_ += static_cast<std::int64_t>(record.known_bytes);
+  table_.wake(record);
   turn_.has_business = true;
-  return resident;
+  return record;
 }
 
 void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
@@ -97,7 +96,7 @@ void Mas::Implementation::start(Agent& agent, const AgentSpec& spec) {
     limit_reached(agent, error.limit, "its initial beliefs and goals");
   }
   agent.rest();
-  if (!agent.is_active()) put_to_sleep(residents_.of(agent));
+  if (!agent.is_active()) put_to_sleep(table_.of(agent));
 }
 
 std::unique_ptr<Percepts> Mas::Implementation::percepts_for_body() {
@@ -108,18 +107,18 @@ std::unique_ptr<Percepts> Mas::Implementation::percepts_for_body() {
 }
 
 AgentId Mas::Implementation::add_agent(const AgentSpec& spec) {
-  Resident& resident = settle(spec.name, spec.program);
+  AgentRecord& record = settle(spec.name, spec.program);
   if (spec.customisation != nullptr) all_keep_to_themselves_ = false;
-  if (environment_ != nullptr) resident.percepts = percepts_for_body();
+  if (environment_ != nullptr) record.percepts = percepts_for_body();
   go_on_after_idleness();
-  resident.agent->set_settings(spec.settings);
-  start(*resident.agent, spec);
-  return AgentId{resident.number};
+  record.agent->set_settings(spec.settings);
+  start(*record.agent, spec);
+  return AgentId{record.number};
 }
 
 // Why there can be no more agents; empty if there can.
 std::string Mas::Implementation::problem_with_more_agents() const {
-  if (residents_.living() >= options_.max_agents) {
+  if (table_.living() >= options_.max_agents) {
     return fmt::format("the limit of {} agents is reached", options_.max_agents);
   }
   if (owned_bytes_ >= static_cast<std::int64_t>(options_.max_system_bytes)) {
@@ -169,37 +168,37 @@ Society::Creation Mas::Implementation::create(const std::string& name, const std
 
 Society::Creation Mas::Implementation::clone(Agent& original, const std::string& name) {
   if (std::string problem = problem_with_more_agents(); !problem.empty()) return {{}, problem};
-  Agent& agent = *settle(name, residents_.of(original).program).agent;
+  Agent& agent = *settle(name, table_.of(original).program).agent;
   agent.copy_from(original);
   agent.rest();
   return {agent.name(), {}};
 }
 
 bool Mas::Implementation::kill(std::string_view name, double deadline_ms) {
-  Resident* const resident = residents_.find(name);
-  if (resident == nullptr) return false;
+  AgentRecord* const record = table_.find(name);
+  if (record == nullptr) return false;
   if (deadline_ms > 0) {
     const Value ms = Value::number(deadline_ms);
-    announce(*resident->agent, predicates::jag_shutting_down, std::span(&ms, 1));
+    announce(*record->agent, predicates::jag_shutting_down, std::span(&ms, 1));
     timers_.add({.at_ms = now_ms_ + deadline_ms,
                  .purpose = Timer::Purpose::departure,
-                 .agent = resident->number});
+                 .agent = record->number});
   } else {
-    leave(*resident);
+    leave(*record);
   }
   return true;
 }
 
-void Mas::Implementation::leave(Resident& resident) {
+void Mas::Implementation::leave(AgentRecord& record) {
   turn_.has_business = true;
-  services_.forget(resident.agent->name());
-  release_memory(resident);
-  residents_.remove(resident);
+  services_.forget(record.agent->name());
+  release_memory(record);
+  table_.remove(record);
 }
 
 void Mas::Implementation::stop(Agent& agent, double deadline_ms, int exit_code) {
-  if (Beside* const beside = this->beside(agent)) {
-    end({.how = RunEnd::stopped, .exit_code = exit_code}, beside);
+  if (ParallelBlock* const block = this->block_of(agent)) {
+    end({.how = RunEnd::stopped, .exit_code = exit_code}, block);
     return;
   }
   turn_.has_business = true;
@@ -209,18 +208,18 @@ void Mas::Implementation::stop(Agent& agent, double deadline_ms, int exit_code) 
     return;
   }
   const Value ms = Value::number(deadline_ms);
-  for (Resident& resident : residents_.all()) {
-    if (resident.is_leaving) continue;
-    announce(*resident.agent, predicates::jag_shutting_down, std::span(&ms, 1));
+  for (AgentRecord& record : table_.all()) {
+    if (record.is_leaving) continue;
+    announce(*record.agent, predicates::jag_shutting_down, std::span(&ms, 1));
   }
   timers_.add({.at_ms = now_ms_ + deadline_ms, .purpose = Timer::Purpose::stop});
 }
 
-void Mas::Implementation::end(Outbox::End how, Beside* beside) {
-  (beside != nullptr ? *beside : turn_).has_business = true;
-  if (has_ended(beside)) return;
-  if (beside != nullptr) {
-    beside->outbox.end = std::move(how);
+void Mas::Implementation::end(Outbox::End how, ParallelBlock* block) {
+  (block != nullptr ? *block : turn_).has_business = true;
+  if (has_ended(block)) return;
+  if (block != nullptr) {
+    block->outbox.end = std::move(how);
     return;
   }
   ended_ = true;
@@ -239,53 +238,54 @@ void Mas::Implementation::go_on_after_idleness() {
 
 bool Mas::Implementation::intervene(AgentId id, const std::function<void(Agent& agent)>& work,
                                     std::string& problem) {
-  Resident& resident = residents_[static_cast<std::uint32_t>(id)];
-  Agent& agent = *resident.agent;
+  AgentRecord& record = table_[static_cast<std::uint32_t>(id)];
+  Agent& agent = *record.agent;
   all_keep_to_themselves_ = false;  // it may get other plans
   turn_.texts.begin_turn(left_bytes_);
   const bool completed = agent.intervene([&] { work(agent); }, problem);
   go_on_after_idleness();
-  if (agent.is_active()) wake(resident);
+  if (agent.is_active()) wake(record);
   return completed;
 }
 
 // Requests of agents to the system.
 
 void Mas::Implementation::set_timer(Agent& agent, double at_ms, std::uint64_t token) {
-  const Timer timer{.at_ms = at_ms, .agent = residents_.of(agent).number, .token = token};
-  if (Beside* const beside = this->beside(agent)) {
-    beside->outbox.add(timer);
+  const Timer timer{.at_ms = at_ms, .agent = table_.of(agent).number, .token = token};
+  if (ParallelBlock* const block = this->block_of(agent)) {
+    block->outbox.add(timer);
   } else {
     timers_.add(timer);
   }
 }
 
-bool Mas::Implementation::act(Agent& agent) { return residents_.of(agent).has_body(); }
+bool Mas::Implementation::act(Agent& agent) { return table_.of(agent).has_body(); }
 
 void Mas::Implementation::print(Agent& agent, std::string_view text) {
   if (options_.print)
-    put_out(Outbox::Kind::print, fmt::format("[{}] {}", agent.name(), text), beside(agent));
+    put_out(Outbox::Kind::print, fmt::format("[{}] {}", agent.name(), text), block_of(agent));
 }
 
 void Mas::Implementation::write(Agent& agent, std::string_view text) {
-  if (options_.write) put_out(Outbox::Kind::write, std::string(text), beside(agent));
+  if (options_.write) put_out(Outbox::Kind::write, std::string(text), block_of(agent));
 }
 
 void Mas::Implementation::log(Agent& agent, std::string_view text) {
   if (!options_.log) return;
   std::string line = fmt::format("[{}] {}", agent.name(), text);
-  Beside* const beside = this->beside(agent);
-  Ahead& ahead = beside != nullptr ? beside->ahead : ahead_;
-  if (&agent == ahead.agent) {
-    ahead.lines.push_back({agent.cycles() - ahead.since, std::move(line)});
+  ParallelBlock* const block = this->block_of(agent);
+  Batch& batch = block != nullptr ? block->batch : batch_;
+  if (&agent == batch.agent) {
+    batch.lines.push_back({agent.cycles() - batch.since, std::move(line)});
   } else {
-    put_out(Outbox::Kind::log, line, beside);
+    put_out(Outbox::Kind::log, line, block);
   }
 }
 
-void Mas::Implementation::put_out(Outbox::Kind kind, const std::string& text, Beside* beside) {
-  if (beside != nullptr) {
-    beside->outbox.add_text(kind, text);
+void Mas::Implementation::put_out(Outbox::Kind kind, const std::string& text,
+                                  ParallelBlock* block) {
+  if (block != nullptr) {
+    block->outbox.add_text(kind, text);
   } else if (kind == Outbox::Kind::print) {
     options_.print(text);
   } else if (kind == Outbox::Kind::write) {
@@ -297,9 +297,9 @@ void Mas::Implementation::put_out(Outbox::Kind kind, const std::string& text, Be
 
 std::vector<std::string> Mas::Implementation::names() const {
   std::vector<std::string> names;
-  names.reserve(residents_.all().size());
-  for (const Resident& resident : residents_.all()) {
-    if (!resident.is_leaving) names.push_back(resident.agent->name());
+  names.reserve(table_.all().size());
+  for (const AgentRecord& record : table_.all()) {
+    if (!record.is_leaving) names.push_back(record.agent->name());
   }
   return names;
 }
@@ -311,20 +311,20 @@ void Mas::Implementation::announce(Agent& agent, Predicate predicate, std::span<
   const Value literal =
       args.empty() ? Value::atom(predicate) : agent.heap().structure(predicate, args);
   agent.add_event({TriggerOperator::add, TriggerKind::belief, literal, nullptr, 0});
-  if (agent.is_active()) residents_.wake(residents_.of(agent));
+  if (agent.is_active()) table_.wake(table_.of(agent));
 }
 
-void Mas::Implementation::put_to_sleep(Resident& resident) {
-  if (resident.is_asleep) return;
-  resident.is_asleep = true;
-  announce(*resident.agent, predicates::jag_sleeping, {});
+void Mas::Implementation::put_to_sleep(AgentRecord& record) {
+  if (record.is_asleep) return;
+  record.is_asleep = true;
+  announce(*record.agent, predicates::jag_sleeping, {});
 }
 
-void Mas::Implementation::wake(Resident& resident) {
-  residents_.wake(resident);
-  if (!resident.is_asleep) return;
-  resident.is_asleep = false;
-  announce(*resident.agent, predicates::jag_awaking, {});
+void Mas::Implementation::wake(AgentRecord& record) {
+  table_.wake(record);
+  if (!record.is_asleep) return;
+  record.is_asleep = false;
+  announce(*record.agent, predicates::jag_awaking, {});
 }
 
 }  // namespace jaywalk

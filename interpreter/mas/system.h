@@ -15,12 +15,11 @@
 
 #include "interpreter/agent/surroundings/host.h"
 #include "interpreter/agent/surroundings/services.h"
+#include "interpreter/mas/agent_table.h"
 #include "interpreter/mas/constants.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/mas/outbox.h"
 #include "interpreter/mas/reach.h"
-#include "interpreter/mas/residents.h"
-#include "interpreter/mas/timers.h"
 #include "interpreter/mas/workers.h"
 
 namespace jaywalk {
@@ -52,7 +51,7 @@ class Mas::Implementation : public AgentHost, public Society {
   bool stride();
 
   [[nodiscard]] const RunOutcome& outcome();
-  [[nodiscard]] const Residents& residents() const { return residents_; }
+  [[nodiscard]] const AgentTable& records() const { return table_; }
   [[nodiscard]] double reasoning_cpu_s() const { return cpu_s_; }
 
   // AgentHost
@@ -88,25 +87,25 @@ class Mas::Implementation : public AgentHost, public Society {
 
  private:
   [[nodiscard]] std::unique_ptr<Percepts> percepts_for_body();
-  Resident& settle(const std::string& name, std::shared_ptr<const Program> program);
+  AgentRecord& settle(const std::string& name, std::shared_ptr<const Program> program);
   [[nodiscard]] std::string problem_with_more_agents() const;
   void start(Agent& agent, const AgentSpec& spec);
-  struct Beside;
+  struct ParallelBlock;
   /// Ends the run, now or, for an agent that reasons beside others, as far as it is concerned.
-  void end(Outbox::End how, Beside* beside = nullptr);
+  void end(Outbox::End how, ParallelBlock* block = nullptr);
   void go_on_after_idleness();
-  void leave(Resident& resident);
+  void leave(AgentRecord& record);
 
   // One step of the run.
   [[nodiscard]] bool is_to_go_on();
   void tick();
   void free_step(std::uint64_t most);
 
-  // Several steps at once (ahead.cpp).
-  void look_whether_solitary(const Program& program);
-  [[nodiscard]] bool can_run_ahead(std::uint64_t most) const;
+  // Several steps at once (batches.cpp).
+  void check_isolation(const Program& program);
+  [[nodiscard]] bool can_run_batch(std::uint64_t most) const;
   /// The agent that reasons for several steps in a row, and the lines that it has logged meanwhile.
-  struct Ahead {
+  struct Batch {
     struct Line {
       std::uint64_t step;
       std::string text;
@@ -116,23 +115,23 @@ class Mas::Implementation : public AgentHost, public Society {
     std::vector<Line> lines;
     std::uint64_t longest = 0;  // cycles that an agent has taken
   };
-  std::uint64_t run_ahead(std::uint64_t most);
-  void reason_ahead(Resident& resident, std::uint64_t most, Ahead& ahead);
+  std::uint64_t run_batch(std::uint64_t most);
+  void reason_in_batch(AgentRecord& record, std::uint64_t most, Batch& batch);
   void write_held_log();
 
-  void reason_alone(Resident& first);
+  void reason_alone(AgentRecord& first);
   void pass_busy_ms();
   void look();
-  [[nodiscard]] KnownToAll known_to_all(const Resident& resident);
+  [[nodiscard]] KnownToAll known_to_all(const AgentRecord& record);
   void update_percepts();
   void reason_until_quiet();
   void execute_actions();
-  void reason(Resident& resident, std::uint64_t most);
+  void reason(AgentRecord& record, std::uint64_t most);
   void note_who_stopped(Agent& agent);
   [[nodiscard]] std::uint64_t inferences() const;
   void count_inferences(std::string agent);
-  [[nodiscard]] bool has_ended(const Beside* beside) const {
-    return beside != nullptr ? beside->outbox.end.has_value() : ended_;
+  [[nodiscard]] bool has_ended(const ParallelBlock* block) const {
+    return block != nullptr ? block->outbox.end.has_value() : ended_;
   }
   void fire_timers();
   void pass_idle_time();
@@ -142,51 +141,52 @@ class Mas::Implementation : public AgentHost, public Society {
   enum class Turn : std::uint8_t { one_cycle, until_idle };
   /// Every active agent takes a turn. False: there was none.
   bool round(Turn turn);
-  bool take_turn(Resident& resident, Turn turn);
-  std::uint64_t take_turns_beside(std::span<const std::uint32_t> numbers, Turn turn);
-  void run_ahead_beside(std::span<const std::uint32_t> numbers, std::uint64_t most);
-  [[nodiscard]] bool can_reason_beside(Resident& resident);
+  bool take_turn(AgentRecord& record, Turn turn);
+  std::uint64_t take_turns_in_parallel(std::span<const std::uint32_t> numbers, Turn turn);
+  void run_batch_in_parallel(std::span<const std::uint32_t> numbers, std::uint64_t most);
+  [[nodiscard]] bool can_reason_in_parallel(AgentRecord& record);
   void empty(Outbox& outbox);
   /// The turn of a block of agents on one of several threads, and the block's requests.
-  struct Beside : AgentTurn {
+  struct ParallelBlock : AgentTurn {
     using AgentTurn::AgentTurn;
     Outbox outbox;
-    Ahead ahead;
+    Batch batch;
     /// The agents of its block that have not had their turns.
     std::span<const std::uint32_t> left;
   };
   /// The block in which the agent reasons in parallel. Null: it reasons alone, and its requests are
   /// carried out at once.
-  [[nodiscard]] Beside* beside(Agent& agent) {
-    return &agent.turn() == &turn_ ? nullptr : static_cast<Beside*>(&agent.turn());
+  [[nodiscard]] ParallelBlock* block_of(Agent& agent) {
+    return &agent.turn() == &turn_ ? nullptr : static_cast<ParallelBlock*>(&agent.turn());
   }
   template <class TakeTurn>
-  void take_turn_beside(Resident& resident, Beside& beside, TakeTurn take_turn);
-  /// Calls `take_turn(resident, beside)` for each of these on all threads; then, in order, carries
-  /// out their requests and calls `is_done(beside)` for each block.
+  void take_turn_in_block(AgentRecord& record, ParallelBlock& block, TakeTurn take_turn);
+  /// Calls `take_turn(record, block)` for each of these on all threads; then, in order, carries
+  /// out their requests and calls `is_done(block)` for each block.
   template <class TakeTurn, class IsDone>
-  void reason_beside(std::span<const std::uint32_t> numbers, TakeTurn take_turn, IsDone is_done);
+  void reason_in_parallel(std::span<const std::uint32_t> numbers, TakeTurn take_turn,
+                          IsDone is_done);
 
-  void put_out(Outbox::Kind kind, const std::string& text, Beside* beside = nullptr);
-  void wake(Resident& resident);
-  void put_to_sleep(Resident& resident);
+  void put_out(Outbox::Kind kind, const std::string& text, ParallelBlock* block = nullptr);
+  void wake(AgentRecord& record);
+  void put_to_sleep(AgentRecord& record);
   void announce(Agent& agent, Predicate predicate, std::span<const Value> args);
-  [[nodiscard]] const Resident& named(Resident& resident);
-  [[nodiscard]] Resident* receiver_of(const OutgoingMessage& message, Agent& sender);
-  void post(Resident& receiver, const Message& message);
-  void post_content(Resident& receiver, Message message, Value content);
+  [[nodiscard]] const AgentRecord& named(AgentRecord& record);
+  [[nodiscard]] AgentRecord* receiver_of(const OutgoingMessage& message, Agent& sender);
+  void post(AgentRecord& receiver, const Message& message);
+  void post_content(AgentRecord& receiver, Message message, Value content);
   [[nodiscard]] static Value hand_over(Value content, Agent& receiver);
   bool deliver_messages();
-  void require_room_for_message(Resident& sender, const Resident& receiver);
+  void require_room_for_message(AgentRecord& sender, const AgentRecord& receiver);
 
   // Memory (memory.cpp).
   void share_memory();
   void sweep();
-  void allow_memory(Resident& resident) const;
+  void allow_memory(AgentRecord& record) const;
   /// Adds by how much more the agent owns to `sum`.
-  static void note_memory(Resident& resident, std::int64_t& sum);
-  void release_memory(Resident& resident);
-  void look_for_room(Resident& receiver);
+  static void note_memory(AgentRecord& record, std::int64_t& sum);
+  void release_memory(AgentRecord& record);
+  void look_for_room(AgentRecord& receiver);
   void look_at_full();
   void count_names();
   void tell_of_provider(const std::string& subscriber, const std::string& provider,
@@ -204,7 +204,7 @@ class Mas::Implementation : public AgentHost, public Society {
   Environment* environment_;
   std::vector<std::unique_ptr<WorkspacePool>> workspaces_of_workers_;
   Reaches reaches_;
-  Residents residents_;
+  AgentTable table_;
   Timers timers_;
   ServiceDirectory services_;
   std::chrono::steady_clock::time_point wall_start_ = std::chrono::steady_clock::now();
@@ -240,13 +240,16 @@ class Mas::Implementation : public AgentHost, public Society {
   std::uint64_t inferences_before_ = 0;  // of the kept parts, before this run
   std::string last_query_;               // that hit a limit: where it was asked
   double cpu_s_ = 0;
-  // Agents of which none can observe when another reasons (program/solitary.h).
+  // Agents of which none can observe when another reasons (program/isolation.h).
   bool all_keep_to_themselves_ = true;
-  const Program* known_solitary_ = nullptr;  // the last program that was looked at
-  Ahead ahead_;
+  const Program* isolated_program_ = nullptr;  // the last program that was looked at
+  Batch batch_;
   std::vector<ActionRequest> requests_;
   std::vector<ActionResult> results_;
   std::vector<Agent*> actors_;
 };
+
+/// Half of the memory that the machine has, or that its group of processes (a container) may have.
+[[nodiscard]] std::uint64_t half_of_the_machines_memory();
 
 }  // namespace jaywalk

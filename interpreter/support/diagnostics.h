@@ -3,6 +3,7 @@
 // Errors and warnings about the user's input: collected, not thrown, and rendered as
 // `file:line:column: error: message`, the line, a caret and a hint.
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -93,5 +94,20 @@ class [[nodiscard]] Result {
 /// not UTF-8 (with the place of the first bad byte).
 [[nodiscard]] Result<SourcePtr> read_source(const std::string& path,
                                             std::size_t max_bytes = std::size_t{64} << 20U);
+
+/// The line of a place and below it the caret, each with a line break. REQUIRES: a source.
+[[nodiscard]] std::string excerpt(const SourceSpan& where, Colour colour = Colour::off);
+
+/// The offset of a position; the end of its line, or of the text, if there is no such position.
+[[nodiscard]] std::uint32_t offset_of(const Source& source, Source::Position position);
+
+/// The diagnostics with the warnings of that code turned into errors; `hint` is added to theirs.
+[[nodiscard]] Diagnostics with_errors(const Diagnostics& diagnostics, std::string_view code,
+                                      std::string_view hint);
+
+/// Like read_source(), but invalid UTF-8 is read as U+FFFD, which may stand in comments, strings
+/// and quoted atoms; a warning points at the first such byte.
+[[nodiscard]] Result<SourcePtr> read_any_encoding(const std::string& path,
+                                                  Diagnostics& diagnostics);
 
 }  // namespace jaywalk

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/support/characters.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

@@ -13,7 +13,6 @@
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/support/input/missing_file.h"
 #include "interpreter/support/input/read_pipe.h"
-#include "interpreter/support/read_program.h"
 #include "interpreter/support/remarks.h"
 #include "interpreter/support/text.h"
 

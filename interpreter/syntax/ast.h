@@ -174,4 +174,21 @@ struct File {
   std::span<const Component> components;
 };
 
+/// `.print`, `my.action`, `math.max`: a literal that is an internal action or a function.
+[[nodiscard]] inline bool is_internal(const Node& node) {
+  return node.kind == Kind::literal && node.dotted;
+}
+
+/// An operation whose value is a number.
+[[nodiscard]] bool is_arithmetic(const Node& node);
+
+/// The name of the node in diagnostics: "a number", "an internal action".
+[[nodiscard]] std::string_view description_of(const Node& node);
+
+/// How operators are written, with the blanks around them; empty for a formula without one.
+[[nodiscard]] std::string_view spelling_of(Operator op);
+[[nodiscard]] std::string_view spelling_of(BodyOperator op);
+/// The operator and kind, `+!`; `^` stands for changes of goals' states.
+[[nodiscard]] std::string_view spelling_of(const Trigger& trigger);
+
 }  // namespace jaywalk::ast

@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/width.h"
-#include "interpreter/syntax/node.h"
+#include "interpreter/syntax/ast.h"
 #include "interpreter/syntax/parser.h"
 #include "interpreter/syntax/precedence.h"
 

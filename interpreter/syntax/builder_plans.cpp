@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/syntax/ast.h"
 #include "interpreter/syntax/builder.h"
-#include "interpreter/syntax/node.h"
 #include "interpreter/syntax/precedence.h"
 
 namespace jaywalk {

@@ -7,8 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/support/characters.h"
-#include "interpreter/syntax/format/typographic.h"
+#include "interpreter/support/text.h"
 #include "interpreter/syntax/token_spellings.h"
 
 namespace jaywalk {

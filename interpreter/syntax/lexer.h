@@ -92,4 +92,13 @@ struct Token {
 /// The token as a reader of diagnostics calls it: `'<-'`, `a string`, `the end of the text`.
 [[nodiscard]] std::string_view name_of(TokenKind kind);
 
+struct Typographic {
+  std::string_view text;
+  std::string_view meant;  // the quotes; else empty
+  std::string_view hint;
+};
+
+/// The one that a text begins with, or null.
+[[nodiscard]] const Typographic* typographic_at(std::string_view text);
+
 }  // namespace jaywalk

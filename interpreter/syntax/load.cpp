@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "interpreter/support/read_program.h"
+#include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/parser.h"
 
 namespace jaywalk {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "interpreter/syntax/precedence.h"
-#include "interpreter/syntax/spelling.h"
 
 namespace jaywalk {
 namespace {

@@ -78,10 +78,6 @@ constexpr std::array kMisspellings = {
     Misspelling{"or", "disjunctions are written with '|'"},
 };
 
-bool is_name_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 struct Finding {
   Span span;
   std::string_view hint;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "interpreter/term/width.h"
-
 namespace jaywalk {
 namespace {
 
@@ -74,7 +72,7 @@ void Heap::grow(std::size_t words) {
 // The bytes that terms may take.
 std::size_t Heap::most_bytes() const {
   // Half of it: a collection copies what is alive, and needs as much room again for a moment.
-  return (limit_bytes_ - std::min(limit_bytes_, beside_)) / 2;
+  return (limit_bytes_ - std::min(limit_bytes_, other_bytes_)) / 2;
 }
 
 void Heap::require_bytes(std::size_t bytes) {
@@ -93,14 +91,14 @@ void Heap::give_up() {
 // Makes sure that memory is counted before the limit is reached.
 void Heap::look_sooner(std::size_t limit) {
   const std::size_t all = all_bytes();
-  count_at_ = std::min(count_at_, beside_ + (limit - std::min(limit, all)));
+  count_at_ = std::min(count_at_, other_bytes_ + (limit - std::min(limit, all)));
   ask_at_ = std::min(ask_at_, count_at_);
 }
 
-void Heap::set_beside(std::size_t bytes) {
+void Heap::set_other_bytes(std::size_t bytes) {
   constexpr std::size_t kLeast = 256 * 1024;
   constexpr std::uint32_t kMostPatience = 1024;
-  beside_ = bytes;
+  other_bytes_ = bytes;
   const std::size_t all = all_bytes();
   if (full_at_ != 0) {
     const bool was_worth_it = all + full_at_ / 16 < full_at_;
@@ -222,7 +220,7 @@ Value Heap::object(std::unique_ptr<Object> object) {
   // Before anything is made, so that a heap at its limit is left as it was.
   require_bytes(bytes);
   std::uint64_t* const cell = allocate(2);
-  note_beside(bytes);
+  note_other_bytes(bytes);
   auto* const made = reinterpret_cast<ObjectCell*>(cell);
   made->info = kObjectInfo;
   object->serial = next_object_++;

@@ -18,11 +18,16 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/support/containers/seldom.h"
+#include "interpreter/support/containers/lazy.h"
+#include "interpreter/support/width.h"
 #include "interpreter/term/object.h"
 #include "interpreter/term/value.h"
 
 namespace jaywalk {
+
+/// Thrown when a structure would have more than kMostParts arguments; caught where the agent
+/// executes a step.
+struct TermTooWide {};
 
 /// The kind of a structure. All but literals are made by the language itself: unevaluated
 /// expressions and programs as data.
@@ -239,24 +244,24 @@ class Heap {
   /// The limit is what others leave of one for all together.
   void set_limit_of_all(bool of_all) { limit_is_of_all_ = of_all; }
   [[nodiscard]] std::size_t limit() const { return limit_bytes_; }
-  [[nodiscard]] std::size_t beside() const { return beside_; }
-  [[nodiscard]] std::size_t all_bytes() const { return 2 * bytes() + beside_; }
+  [[nodiscard]] std::size_t other_bytes() const { return other_bytes_; }
+  [[nodiscard]] std::size_t all_bytes() const { return 2 * bytes() + other_bytes_; }
   /// The owner has got something that is no term.
-  void note_beside(std::size_t bytes) { beside_ += bytes; }
+  void note_other_bytes(std::size_t bytes) { other_bytes_ += bytes; }
   /// Before the owner gets something that is no term. Throws HeapExhausted at the limit.
   void require_room() {
-    if (beside_ > ask_at_) require_bytes(0);
+    if (other_bytes_ > ask_at_) require_bytes(0);
   }
   /// Like require_room(), before the owner gets `bytes` bytes.
   void require_bytes(std::size_t bytes);
   /// Sets the bytes that the owner has beside terms.
-  void set_beside(std::size_t bytes);
+  void set_other_bytes(std::size_t bytes);
   /// Something has failed for want of memory lately, and what there is has not been counted since.
   [[nodiscard]] bool is_short() const { return full_at_ != 0; }
   /// Requests a collection and a count, however little was allocated.
   void look_again() { collect_at_ = count_at_ = ask_at_ = 0; }
   /// Enough was noted since the last count to need another.
-  [[nodiscard]] bool wants_count() const { return beside_ > count_at_; }
+  [[nodiscard]] bool wants_count() const { return other_bytes_ > count_at_; }
   /// Enough has been allocated since the last collection to make another worth while.
   [[nodiscard]] bool wants_collection() const { return bytes() > collect_at_; }
 
@@ -335,7 +340,7 @@ class Heap {
   std::size_t limit_bytes_ = std::size_t{1} << 30U;
   std::size_t collect_at_ = 64 * 1024;
   std::size_t live_bytes_ = 0;  // after the last collection
-  std::size_t beside_ = 0;
+  std::size_t other_bytes_ = 0;
   std::size_t count_at_ = 16 * 1024;
   std::size_t ask_at_ = count_at_;  // beyond it the limit may be reached
   // The failures for want of memory after which memory is counted again.
@@ -346,7 +351,7 @@ class Heap {
   std::uint64_t static_flag_ = 0;
   std::uint64_t next_serial_ = 1;
   std::uint64_t next_object_ = 1;
-  Seldom<std::vector<std::unique_ptr<Object>>> objects_;
+  LazyContainer<std::vector<std::unique_ptr<Object>>> objects_;
 };
 
 /// The one-element list [source(self)], [source(percept)]; made once, never moved.

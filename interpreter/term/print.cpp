@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "interpreter/support/text.h"
-#include "interpreter/term/circles.h"
 #include "interpreter/term/walk.h"
 
 namespace jaywalk {

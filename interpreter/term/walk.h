@@ -4,8 +4,10 @@
 // failure, as in Jason), so a walk may be endless, or exponentially longer than the term is large.
 
 #include <cstdint>
+#include <unordered_map>
 
 #include "interpreter/term/heap.h"
+#include "interpreter/term/value.h"
 
 namespace jaywalk {
 
@@ -79,5 +81,13 @@ class ListWalk {
   std::uint64_t interval_ = 16;
   std::uint64_t left_ = 16;
 };
+
+/// Terms that contain themselves: X = f(X) binds X to a term in which X stands. The lists and
+/// structures below a term that contain themselves, by Value::bits(), each with a variable whose
+/// value it is. Every way down that does not end comes to one of them.
+using Circles = std::unordered_map<std::uint64_t, const Variable*>;
+
+/// REQUIRES: `slots` are those of the term's template, or it has none.
+[[nodiscard]] Circles circles_of(Value term, const Value* slots = nullptr);
 
 }  // namespace jaywalk

@@ -121,7 +121,7 @@ AgentRun run_on_threads(const std::string& path, std::size_t threads,
   ProgramFile file = read_program_file(path);
   keep_files_in_memory(file);
   file.options.threads = threads;
-  file.options.fewest_beside = 1;
+  file.options.fewest_parallel = 1;
   file.options.observer = observer;
   EnvironmentMaker world;
   if (file.on_board) {

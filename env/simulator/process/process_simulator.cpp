@@ -13,7 +13,7 @@
 
 #include "env/process/numbered_process.h"
 #include "env/simulator/process/simulator_messages.h"
-#include "env/simulator/simulators.h"
+#include "env/simulator/simulator.h"
 
 namespace jaywalk {
 namespace {

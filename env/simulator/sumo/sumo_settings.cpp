@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "env/simulator/simulators.h"
+#include "env/simulator/simulator.h"
 
 namespace jaywalk {
 namespace {

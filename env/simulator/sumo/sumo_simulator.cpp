@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "env/simulator/simulators.h"
+#include "env/simulator/simulator.h"
 #include "env/simulator/sumo/sumo_map.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "env/simulator/sumo/sumo_routes.h"

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "experiment/scenario/files/temporary.h"
-#include "interpreter/support/characters.h"
+#include "interpreter/support/text.h"
 
 namespace jaywalk {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "interpreter/agent/circumstance/intention.h"
 #include "interpreter/agent/circumstance/message.h"
+#include "interpreter/support/containers/lazy.h"
 #include "interpreter/support/containers/ring.h"
-#include "interpreter/support/containers/seldom.h"
 
 namespace jaywalk {
 
@@ -90,17 +90,17 @@ struct Circumstance {
   std::unique_ptr<Event> atomic_event;  // of the atomic intention, or null
   bool atomic_suspended = false;        // there is one, and it waits
   // Parts that many agents never use.
-  Seldom<Ring<Message>> mailbox;              // MB
-  Seldom<std::vector<Message>> arriving;      // sent in this round, to the mailbox at its end
-  Seldom<Ring<PendingAction>> actions;        // PA, for the environment to take, one a tick
-  Seldom<std::vector<PendingAction>> acting;  // PA, taken, awaiting feedback
-  Seldom<Ring<Feedback>> feedback;            // FA
-  Seldom<std::vector<Event>> pending_events;  // PE, of suspended goals
-  Seldom<std::vector<Wait>> waits;
-  Seldom<std::vector<PendingAsk>> asks;
-  Seldom<std::vector<Task>> tasks;
-  Seldom<std::vector<std::pair<std::uint64_t, Event>>> scheduled;  // by timer (.at)
-  Seldom<std::vector<GoalDeadline>> deadlines;
+  LazyContainer<Ring<Message>> mailbox;          // MB
+  LazyContainer<std::vector<Message>> arriving;  // sent in this round, to the mailbox at its end
+  LazyContainer<Ring<PendingAction>> actions;    // PA, for the environment to take, one a tick
+  LazyContainer<std::vector<PendingAction>> acting;  // PA, taken, awaiting feedback
+  LazyContainer<Ring<Feedback>> feedback;            // FA
+  LazyContainer<std::vector<Event>> pending_events;  // PE, of suspended goals
+  LazyContainer<std::vector<Wait>> waits;
+  LazyContainer<std::vector<PendingAsk>> asks;
+  LazyContainer<std::vector<Task>> tasks;
+  LazyContainer<std::vector<std::pair<std::uint64_t, Event>>> scheduled;  // by timer (.at)
+  LazyContainer<std::vector<GoalDeadline>> deadlines;
 };
 
 }  // namespace jaywalk

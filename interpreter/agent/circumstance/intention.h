@@ -17,8 +17,8 @@
 #include "interpreter/logic/counted_numbers.h"
 #include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/program/plan.h"
-#include "interpreter/support/containers/boxed.h"
 #include "interpreter/support/containers/flat_stack.h"
+#include "interpreter/support/containers/lazy.h"
 
 namespace jaywalk {
 
@@ -82,7 +82,7 @@ struct IntendedMeans {
   /// In a means for a failure, `-!g`: how many means below stay when it is done. Those above them
   /// are of the goal that failed.
   std::size_t keeps = 0;
-  Boxed<MeansExtras> extras;
+  LazyValue<MeansExtras> extras;
 
   [[nodiscard]] bool has_loops() const { return extras && !extras->loops.empty(); }
   [[nodiscard]] ScopePtr scope() const { return extras ? extras->scope : nullptr; }

@@ -32,7 +32,7 @@ void Agent::tell_of_next_event() {
 }
 
 void Agent::queue_event(const Event& event) {
-  heap_.note_beside(sizeof(Event));
+  heap_.note_other_bytes(sizeof(Event));
   if ((unusual_ & kShowsEvents) != 0) observer_->event_posted(*this, event);
   if (!circumstance_.waits.empty()) Waits(*this).check_event(event);
   if (event.op == TriggerOperator::add && event.kind != TriggerKind::belief) {

@@ -130,7 +130,7 @@ void Agent::wait_for_answers(Intention& intention, PendingAsk ask, double timeou
   if (library_->has_goal_state_plans()) {
     signal_top_state(intention, "waiting", Waits(*this).reason(intention));
   }
-  heap_.note_beside(sizeof(PendingAsk));
+  heap_.note_other_bytes(sizeof(PendingAsk));
   circumstance_.asks.push_back(std::move(ask));
 }
 

@@ -74,7 +74,7 @@ Intention& Agent::copy_for_branch(Intention& intention) {
   }
   copy.fork = intention.fork;
   copy.values = intention.values;
-  heap_.note_beside(intention.bytes());
+  heap_.note_other_bytes(intention.bytes());
   // All terms are renamed together, so that shared variables stay shared.
   std::vector<Value> terms;
   const auto note = [&](Value value) { terms.push_back(value.is_slot() ? Value() : value); };

@@ -140,7 +140,7 @@ Loop::Level Agent::collect_solutions(Intention& intention, const Goal* condition
     if (level.ends.size() % kBetweenChecks == 0) machine().check_memory(bytes_of(level));
     return true;
   });
-  heap_.note_beside(bytes_of(level));
+  heap_.note_other_bytes(bytes_of(level));
   return level;
 }
 

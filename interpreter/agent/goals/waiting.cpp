@@ -19,7 +19,7 @@ void Waits::start(Intention& intention, Wait wait, double ms) {
   wait.start_ms = agent_.host_.now_ms();
   wait.ms = ms;
   if (wait.has_formula) ++agent_.formula_waits_;
-  agent_.heap_.note_beside(sizeof(Wait));
+  agent_.heap_.note_other_bytes(sizeof(Wait));
   agent_.circumstance_.waits.push_back(wait);
   agent_.attention_ = true;
   if (ms >= 0) agent_.host_.set_timer(agent_, wait.start_ms + ms, wait.id);
@@ -65,7 +65,7 @@ void Waits::cancel_schedule() { agent_.circumstance_.scheduled.clear(); }
 
 void Waits::schedule(Event event, double ms) {
   agent_.heap_.require_room();
-  agent_.heap_.note_beside(2 * sizeof(Event));
+  agent_.heap_.note_other_bytes(2 * sizeof(Event));
   const std::uint64_t token = agent_.new_token();
   agent_.circumstance_.scheduled.emplace_back(token, event);
   agent_.host_.set_timer(agent_, agent_.host_.now_ms() + ms, token);

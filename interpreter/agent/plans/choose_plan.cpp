@@ -294,7 +294,7 @@ std::span<const Value> Agent::frame_for(const Plan& plan) const {
   if (replaces) {
     intention.replace(plan, frame_for(plan));
   } else {
-    heap_.note_beside(sizeof(IntendedMeans));
+    heap_.note_other_bytes(sizeof(IntendedMeans));
     intention.push(plan, frame_for(plan));
   }
   fill_means(intention, plan, event, scope);
@@ -346,7 +346,7 @@ bool Agent::find_unusual_option(const Event& event) {
 
 void Agent::push_means(Intention& intention, const Plan& plan, const Event& event,
                        const ScopePtr& scope) {
-  heap_.note_beside(sizeof(IntendedMeans));
+  heap_.note_other_bytes(sizeof(IntendedMeans));
   intention.push(plan, frame_for(plan));
   fill_means(intention, plan, event, scope);
 }

@@ -10,9 +10,9 @@
 #include "interpreter/program/plan_compiler.h"
 #include "interpreter/support/width.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/heap.h"
 #include "interpreter/term/print.h"
 #include "interpreter/term/program_terms.h"
-#include "interpreter/term/width.h"
 
 namespace jaywalk {
 namespace {
@@ -73,7 +73,7 @@ bool Agent::add_plan_term(Value term, Value source, Place place, std::string& pr
     return false;
   }
   heap_.require_room();
-  heap_.note_beside(kPlanBytes);
+  heap_.note_other_bytes(kPlanBytes);
   std::vector<Symbol> names;
   const Value made = as_template(term, names);
   if (names.size() > kMostParts) {
@@ -242,7 +242,7 @@ void Agent::remove_like(Value head) {
 // A rule that was data.
 void Agent::add_rule(Value rule, Place place) {
   heap_.require_room();
-  heap_.note_beside(kPlanBytes);
+  heap_.note_other_bytes(kPlanBytes);
   std::vector<Symbol> names;
   const Value made = as_template(rule, names);
   Value head = made.structure()->arg(0);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "interpreter/actions/table/action_traits.h"
-#include "interpreter/syntax/node.h"
+#include "interpreter/syntax/ast.h"
 
 namespace jaywalk {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "interpreter/actions/table/action_traits.h"
 #include "interpreter/check/index/uses.h"
-#include "interpreter/syntax/node.h"
+#include "interpreter/syntax/ast.h"
 
 namespace jaywalk::lsp {
 namespace {

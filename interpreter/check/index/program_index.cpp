@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/actions/table/action_traits.h"
-#include "interpreter/syntax/node.h"
+#include "interpreter/syntax/ast.h"
 
 namespace jaywalk {
 namespace {

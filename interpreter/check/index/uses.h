@@ -7,9 +7,11 @@
 #include <set>
 #include <span>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "interpreter/syntax/ast.h"
+#include "interpreter/syntax/load.h"
 
 namespace jaywalk {
 
@@ -56,5 +58,19 @@ struct Uses {
 
 /// The argument of an internal action that is a query, or null.
 [[nodiscard]] const ast::Node* query_argument(const ast::Node& action);
+
+/// The names that a program mentions outside of definitions: it may post, ask for or tell them,
+/// even indirectly (by a term in a variable, or a text that becomes a plan). REQUIRES: the program
+/// lives as long, whose texts these are.
+struct Mentions {
+  /// Functors anywhere but of the triggers of plans and the heads of rules, and all words within
+  /// strings that may be names.
+  std::unordered_set<std::string_view> names;
+};
+
+[[nodiscard]] Mentions mentions_in(const SourceTree& program);
+
+/// Whether anything in a program shows that there are other agents: messages, names, sources.
+[[nodiscard]] bool shows_other_agents(const SourceTree& program);
 
 }  // namespace jaywalk

@@ -47,7 +47,7 @@ void BeliefBase::make_own(Relation& relation) {
   const bool are_percepts = relation.shared()->are_percepts();
   relation.own_rows();
   if (are_percepts) note_percepts(relation, static_cast<std::uint32_t>(relation.size()));
-  heap_.note_beside(relation.size() * Relation::kRowBytes);
+  heap_.note_other_bytes(relation.size() * Relation::kRowBytes);
 }
 
 void BeliefBase::fold(const FoldedRules& rules) {

@@ -26,7 +26,7 @@
 #include "interpreter/logic/beliefs/shared_rows.h"
 #include "interpreter/logic/unifier/unifier.h"
 #include "interpreter/support/containers/hash_index.h"
-#include "interpreter/support/containers/seldom.h"
+#include "interpreter/support/containers/lazy.h"
 
 namespace jaywalk {
 
@@ -187,7 +187,7 @@ class Relation {
     Ring<Row> rows;
     std::unique_ptr<Indexes> indexes;
     std::unique_ptr<RuleTable> table;
-    Seldom<std::vector<std::unique_ptr<RuleCode>>> rules;
+    LazyContainer<std::vector<std::unique_ptr<RuleCode>>> rules;
     Percepts percepts;
   };
   inline static const Ring<Row> kNoRows;

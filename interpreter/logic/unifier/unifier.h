@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "interpreter/support/containers/flat_stack.h"
-#include "interpreter/term/circles.h"
 #include "interpreter/term/heap.h"
 #include "interpreter/term/symbol.h"
 #include "interpreter/term/walk.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/term/heap.h"
 #include "interpreter/term/program_terms.h"
-#include "interpreter/term/width.h"
 
 namespace jaywalk {
 namespace {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "interpreter/support/text.h"
-#include "interpreter/syntax/format/formatter_columns.h"
 #include "interpreter/syntax/format/formatter_items.h"
 #include "interpreter/syntax/parser.h"
 #include "interpreter/syntax/printer.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "interpreter/support/characters.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

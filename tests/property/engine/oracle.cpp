@@ -96,7 +96,7 @@ std::string text_of_run(const std::string& program, std::uint64_t seed, const Wa
   options.max_inferences = 50'000;
   options.max_agent_bytes = 16U << 20U;
   options.threads = way.threads;
-  options.fewest_beside = 2;
+  options.fewest_parallel = 2;
   if (way.is_observed) options.observer = &observer;
   options.print = [&](std::string_view line) { text += fmt::format("{}\n", line); };
   options.log = [&](std::string_view line) { text += fmt::format("log: {}\n", line); };

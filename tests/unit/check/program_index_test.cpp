@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/check/index/mentions.h"
+#include "interpreter/check/index/uses.h"
 
 namespace jaywalk {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "interpreter/check/words.h"
+#include "interpreter/check/checking.h"
 #include "tests/unit/check/warnings.h"
 
 namespace jaywalk {

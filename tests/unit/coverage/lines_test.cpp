@@ -1,7 +1,7 @@
-#include "interpreter/coverage/lines.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "interpreter/coverage/source_coverage.h"
 
 namespace jaywalk {
 namespace {

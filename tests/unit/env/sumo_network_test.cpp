@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "env/simulator/simulators.h"
+#include "env/simulator/simulator.h"
 #include "env/simulator/sumo/sumo_map.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "tests/unit/env/sumo_street.h"

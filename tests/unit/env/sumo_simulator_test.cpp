@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "env/simulator/simulators.h"
+#include "env/simulator/simulator.h"
 #include "env/simulator/sumo/sumo_network.h"
 #include "env/simulator/sumo/sumo_process.h"
 #include "env/simulator/sumo/traci_client.h"

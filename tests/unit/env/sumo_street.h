@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "env/simulator/simulators.h"
+#include "env/simulator/simulator.h"
 
 namespace jaywalk {
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "env/simulator/simulators.h"
+#include "env/simulator/simulator.h"
 #include "env/simulator/sumo/sumo_routes.h"
 #include "tests/unit/env/sumo_street.h"
 

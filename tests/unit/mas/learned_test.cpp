@@ -154,7 +154,7 @@ TEST(LearnedPlans, MayBeAddedAsTheAgentRuns) {
 
 TEST(LearnedPlans, AreDrawnAlikeOnAnyNumberOfThreads) {
   const auto printed = [](std::size_t threads) {
-    System system({.threads = threads, .fewest_beside = 2});
+    System system({.threads = threads, .fewest_parallel = 2});
     for (int i = 0; i < 8; ++i) system.add("a" + std::to_string(i), kSteps);
     system.run();
     return system.printed;

@@ -154,7 +154,7 @@ TEST(SystemMemory, HoldsForTheNamesOfOneTurn) {
 
 /// Which agents fail, and when, does not depend on threads.
 void expect_same_on_threads(const std::vector<test::NamedProgram>& team, MasOptions options) {
-  options.fewest_beside = 2;
+  options.fewest_parallel = 2;
   const test::AgentRun one = test::run_agents(team, options);
   EXPECT_THAT(one.printed, Contains(HasSubstr("memory"))) << "no limit is reached";
   for (const std::size_t threads : {2U, 8U}) {
@@ -214,7 +214,7 @@ TEST(SystemMemory, HoldsBackNoMoreTextsThanItNeedsTo) {
                     "+!go(T, _) <- .print(T); .send(a0, tell, done); .print(sent)."});
   }
   MasOptions options;
-  options.fewest_beside = 2;
+  options.fewest_parallel = 2;
   const test::AgentRun one = test::run_agents(team, options);
   EXPECT_EQ(one.printed.size(), 24U);
   options.threads = 3;
@@ -239,7 +239,7 @@ TEST_P(Storms, EndARunAtTheSamePlace) {
   options.max_cycles = 200;
   options.max_agent_bytes = kMegabyte;
   options.at_memory_limit = MasOptions::AtMemoryLimit::end_run;
-  options.fewest_beside = 2;
+  options.fewest_parallel = 2;
   const auto team = correspondents(8, GetParam());
   const RunOutcome one = test::run_agents(team, options).outcome;
   EXPECT_EQ(one.limit, RunLimit::memory);

@@ -52,7 +52,7 @@ struct Team {
 Seen run(const Team& team, std::size_t threads) {
   MasOptions options = team.options;
   options.threads = threads;
-  options.fewest_beside = 2;
+  options.fewest_parallel = 2;
   options.max_cycles = options.max_cycles == 0 ? 2000 : options.max_cycles;
   System system(options);
   for (const Member& member : team.members) system.add(member.name, member.program);
@@ -165,7 +165,7 @@ TEST(Threads, DoNotChangeWhatRandomProgramsDo) {
       }
     }
     MasOptions options{.seed = seed, .max_cycles = 100, .max_inferences = 2'000};
-    options.fewest_beside = 2;
+    options.fewest_parallel = 2;
     test::EnvironmentMaker world;
     if (choices.once_in(3)) {
       world = [](SymbolTable& symbols) { return std::make_unique<TestWorld>(symbols, 5); };

@@ -77,7 +77,7 @@ TEST_F(SharedBeliefs, AreFoundByTheirArgumentsOnSeveralThreads) {
   std::string program;
   for (int i = 0; i < 100; ++i) program += "edge(" + std::to_string(i) + ",next). ";
   system.options.threads = 4;
-  system.options.fewest_beside = 2;
+  system.options.fewest_parallel = 2;
   run(program + "!go. +!go : edge(77,X) <- .print(X).");
   EXPECT_THAT(system.printed, SizeIs(2));
   EXPECT_TRUE(shares(a, "edge", 2) && shares(b, "edge", 2));

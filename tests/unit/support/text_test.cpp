@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/support/characters.h"
 #include "interpreter/support/containers/flat_index.h"
 
 namespace jaywalk {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "interpreter/support/excerpt.h"
+#include "interpreter/support/diagnostics.h"
 #include "tests/helpers/folder.h"
 #include "tests/unit/syntax/outline.h"
 

@@ -15,7 +15,7 @@
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/options/store_options.h"
-#include "tools/jaywalk/run/test_trace.h"
+#include "tools/jaywalk/run/agent_trace.h"
 #include "tools/jaywalk/run/trace_output.h"
 
 namespace jaywalk::command::compare {

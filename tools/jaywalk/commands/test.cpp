@@ -19,9 +19,9 @@
 #include <fmt/ranges.h>
 
 #include "experiment/scenario/files/portable_names.h"
+#include "interpreter/agent_tests/unit_tests.h"
 #include "interpreter/support/start_threads.h"
 #include "interpreter/support/text.h"
-#include "interpreter/unit_test/unit_tests.h"
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"

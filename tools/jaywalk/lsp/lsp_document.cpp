@@ -6,8 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/check/words.h"
+#include "interpreter/check/checking.h"
 #include "interpreter/logic/action.h"
+#include "interpreter/support/text.h"
 #include "interpreter/syntax/lexer.h"
 #include "interpreter/syntax/project/project.h"
 #include "tools/jaywalk/programs/program_check.h"
@@ -38,10 +39,7 @@ constexpr std::array kDirectives = {
     DirectiveHelp{"mg", "maintenance goal"},
     DirectiveHelp{"sga", "sequenced goal adoption"}};
 
-bool is_name_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '.';
-}
+bool is_in_dotted_name(char c) { return is_name_character(c) || c == '.'; }
 
 std::string code(std::string_view text) { return fmt::format("```jason\n{}\n```", text); }
 
@@ -206,7 +204,7 @@ std::vector<Completion> Document::completions(Position at, Range& written) const
   const std::string_view text = source_->text();
   const std::uint32_t end = places_.offset(at);
   std::uint32_t begin = end;
-  while (begin > 0 && is_name_character(text[begin - 1])) --begin;
+  while (begin > 0 && is_in_dotted_name(text[begin - 1])) --begin;
   written = places_.range({begin, end});
   const std::string_view prefix = text.substr(begin, end - begin);
   // The characters before the word decide what fits: `!` a goal, `{` a directive.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "interpreter/support/excerpt.h"
+#include "interpreter/support/diagnostics.h"
 #include "interpreter/support/text.h"
 
 namespace jaywalk {

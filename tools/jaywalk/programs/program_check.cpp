@@ -8,7 +8,7 @@
 
 #include "experiment/test_run/prepared_scenario.h"
 #include "interpreter/compile/compiler.h"
-#include "interpreter/support/excerpt.h"
+#include "interpreter/support/diagnostics.h"
 #include "interpreter/support/source_files.h"
 #include "interpreter/term/symbol.h"
 #include "tools/jaywalk/programs/vocabulary.h"

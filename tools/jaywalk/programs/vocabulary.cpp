@@ -16,9 +16,9 @@
 #include <fmt/format.h>
 
 #include "env/environments.h"
+#include "interpreter/check/checking.h"
 #include "interpreter/check/index/program_index.h"
 #include "interpreter/check/index/uses.h"
-#include "interpreter/check/words.h"
 #include "interpreter/compile/kqml_plans.h"
 #include "interpreter/logic/action.h"
 #include "interpreter/support/containers/lazy.h"

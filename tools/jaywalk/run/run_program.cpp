@@ -13,7 +13,7 @@
 #include "interpreter/embed/program_loader.h"
 #include "interpreter/embed/project_agents.h"
 #include "interpreter/mas/mas.h"
-#include "interpreter/support/excerpt.h"
+#include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/load.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/options/coverage_options.h"

@@ -1,4 +1,4 @@
-#include "interpreter/unit_test/unit_tests.h"
+#include "interpreter/agent_tests/unit_tests.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,11 +13,11 @@
 #include <fmt/format.h>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent_tests/unit_test_goals.h"
 #include "interpreter/compile/compiler.h"
 #include "interpreter/embed/program_loader.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/term/print.h"
-#include "interpreter/unit_test/unit_test_goals.h"
 
 namespace jaywalk {
 namespace {

@@ -1,10 +1,9 @@
-#include "interpreter/support/containers/seldom.h"
-
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "interpreter/support/containers/lazy.h"
 #include "interpreter/support/containers/ring.h"
 
 namespace jaywalk {
@@ -13,8 +12,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(Seldom, IsAnEmptyContainerUntilSomethingIsPutIn) {
-  Seldom<std::vector<int>> numbers;
+TEST(LazyContainer, IsAnEmptyContainerUntilSomethingIsPutIn) {
+  LazyContainer<std::vector<int>> numbers;
   EXPECT_TRUE(numbers.empty());
   EXPECT_EQ(numbers.size(), 0U);
   EXPECT_THAT(numbers, IsEmpty());
@@ -23,8 +22,8 @@ TEST(Seldom, IsAnEmptyContainerUntilSomethingIsPutIn) {
   EXPECT_EQ(sizeof(numbers), sizeof(void*));
 }
 
-TEST(Seldom, HoldsWhatIsPutIn) {
-  Seldom<Ring<int>> numbers;
+TEST(LazyContainer, HoldsWhatIsPutIn) {
+  LazyContainer<Ring<int>> numbers;
   for (const int number : {1, 2, 3, 4}) numbers.push_back(number);
   numbers.pop_front();
   EXPECT_EQ(erase(numbers, 3), 1U);
@@ -33,8 +32,8 @@ TEST(Seldom, HoldsWhatIsPutIn) {
   EXPECT_EQ(numbers.back(), 4);
 }
 
-TEST(Seldom, GivesAllAwayAtOnce) {
-  Seldom<std::vector<int>> numbers;
+TEST(LazyContainer, GivesAllAwayAtOnce) {
+  LazyContainer<std::vector<int>> numbers;
   EXPECT_THAT(numbers.take(), IsEmpty());
   numbers.push_back(7);
   EXPECT_THAT(numbers.take(), ElementsAre(7));

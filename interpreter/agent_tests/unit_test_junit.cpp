@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/agent_tests/unit_tests.h"
 #include "interpreter/support/markup.h"
-#include "interpreter/unit_test/unit_tests.h"
 
 namespace jaywalk {
 namespace {

@@ -19,7 +19,7 @@
 
 namespace jaywalk {
 
-struct Resident {
+struct AgentRecord {
   [[nodiscard]] bool has_body() const { return percepts != nullptr; }
 
   std::unique_ptr<Agent> agent;  // null once it has left
@@ -41,48 +41,48 @@ struct Resident {
   std::size_t sent_bytes = 0;
   std::size_t known_bytes = 0;    // the agent's memory after it reasoned last
   bool is_leaving = false;        // has stopped reasoning
-  bool is_near = false;           // can reason beside others (reach.h), as judged when
+  bool is_near = false;           // can reason in parallel (reach.h), as judged when
   std::size_t reach_version = 0;  // the number of programs then
   std::uint64_t period = 0;       // for which cycles_before holds
   std::uint64_t cycles_before = 0;
 };
 
-class Residents {
+class AgentTable {
  public:
   /// `name`, or the first of name_1, name_2, ... that is free.
   [[nodiscard]] std::string free_name(const std::string& name);
   /// REQUIRES: the agent's name is free.
-  Resident& add(std::unique_ptr<Agent> agent, std::shared_ptr<const Program> program);
+  AgentRecord& add(std::unique_ptr<Agent> agent, std::shared_ptr<const Program> program);
   /// The agent has left; its name is free again.
-  void remove(Resident& resident);
+  void remove(AgentRecord& record);
   /// Destroys those that have left. REQUIRES: no agent is reasoning.
   void bury();
 
   /// The number of agents that there have been.
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   [[nodiscard]] std::size_t living() const { return by_name_.size(); }
-  [[nodiscard]] Resident& operator[](std::uint32_t number) { return all_[number]; }
-  [[nodiscard]] const Resident& operator[](std::uint32_t number) const { return all_[number]; }
+  [[nodiscard]] AgentRecord& operator[](std::uint32_t number) { return all_[number]; }
+  [[nodiscard]] const AgentRecord& operator[](std::uint32_t number) const { return all_[number]; }
   /// Null if there is no such agent.
-  [[nodiscard]] Resident* find(std::string_view name);
+  [[nodiscard]] AgentRecord* find(std::string_view name);
   /// The agent that an atom has been found to name; null if that is not known.
-  [[nodiscard]] Resident* known_as(Predicate atom) {
+  [[nodiscard]] AgentRecord* known_as(Predicate atom) {
     const std::uint32_t number = by_atom_.find(static_cast<std::uint32_t>(atom));
     return number == FlatIndex<std::uint32_t>::kNone ? nullptr : &all_[number];
   }
   /// REQUIRES: the atom is not known.
-  void remember(Predicate atom, const Resident& resident) {
-    by_atom_.insert(static_cast<std::uint32_t>(atom), resident.number);
+  void remember(Predicate atom, const AgentRecord& record) {
+    by_atom_.insert(static_cast<std::uint32_t>(atom), record.number);
   }
-  [[nodiscard]] Resident& of(const Agent& agent) { return all_[agent.number()]; }
+  [[nodiscard]] AgentRecord& of(const Agent& agent) { return all_[agent.number()]; }
   /// In the order of their numbers, those that have left included.
-  [[nodiscard]] std::deque<Resident>& all() { return all_; }
-  [[nodiscard]] const std::deque<Resident>& all() const { return all_; }
+  [[nodiscard]] std::deque<AgentRecord>& all() { return all_; }
+  [[nodiscard]] const std::deque<AgentRecord>& all() const { return all_; }
 
   /// The agent may have something to do: it takes part from the next round on.
-  void wake(Resident& resident);
+  void wake(AgentRecord& record);
   /// The only agent that takes part in the next round; null if there are none or several.
-  [[nodiscard]] Resident* lone_active() {
+  [[nodiscard]] AgentRecord* lone_active() {
     if (!woken_.empty()) list_woken();
     return active_.size() == 1 ? &all_[active_.front()] : nullptr;
   }
@@ -96,7 +96,7 @@ class Residents {
  private:
   void list_woken();
 
-  std::deque<Resident> all_;  // a deque: references stay good when agents come
+  std::deque<AgentRecord> all_;  // a deque: references stay good when agents come
   std::unordered_map<std::string_view, std::uint32_t> by_name_;  // the agents' own names
   FlatIndex<std::uint32_t> by_atom_;  // those that were sent messages, until an agent leaves
   std::unordered_map<std::string, std::uint32_t> suffixes_;  // the last that was taken

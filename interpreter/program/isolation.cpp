@@ -1,4 +1,4 @@
-#include "interpreter/program/solitary.h"
+#include "interpreter/program/isolation.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "interpreter/term/circles.h"
+#include "interpreter/term/walk.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // Which programs keep to themselves, so that it does not matter when their agents reason.
 
-#include "interpreter/program/solitary.h"
+#include "interpreter/program/isolation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "interpreter/unit_test/unit_test_goals.h"
+#include "interpreter/agent_tests/unit_test_goals.h"
 
 namespace jaywalk {
 
