@@ -21,13 +21,11 @@ target_sources(jaywalk_experiment PRIVATE
   compare/avs/av_ranking.cpp
   compare/carry_over.cpp
   compare/comparison.cpp
-  compare/csv_fields.cpp
   compare/experiment.cpp
   compare/feedback.cpp
   compare/first_tests.cpp
   compare/test_assessment.cpp
   compare/kills/kills.cpp
-  compare/kills/kills_csv.cpp
   compare/kills/kills_file.cpp
   compare/kills/predictors.cpp
   compare/kills/team.cpp

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "experiment/compare/csv_fields.h"
 #include "experiment/judge/csv_line.h"
 
 namespace jaywalk {

@@ -1,9 +1,13 @@
 #include "experiment/compare/test_assessment.h"
 
 #include <algorithm>
+#include <array>
 
 namespace jaywalk {
 namespace {
+
+constexpr std::array<std::string_view, 5> kStoredVerdicts = {"none", "vacuous", "pass", "fail",
+                                                             "unavoidable"};
 
 StoredVerdict stored(Verdict verdict) {
   switch (verdict) {
@@ -35,6 +39,16 @@ Verdict verdict_of(StoredVerdict verdict) {
 }
 
 }  // namespace
+
+std::string_view name(StoredVerdict verdict) {
+  return kStoredVerdicts[static_cast<std::size_t>(verdict)];
+}
+
+std::optional<StoredVerdict> parse_stored_verdict(std::string_view text) {
+  const auto found = std::ranges::find(kStoredVerdicts, text);
+  if (found == kStoredVerdicts.end()) return std::nullopt;
+  return static_cast<StoredVerdict>(found - kStoredVerdicts.begin());
+}
 
 std::vector<std::string> ids_of(const Criteria& criteria) {
   std::vector<std::string> ids;

@@ -10,9 +10,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "experiment/compare/assessment_row.h"
 #include "experiment/compare/experiment.h"
 #include "experiment/compare/measures/distribution.h"
 #include "experiment/judge/assertions/assertion.h"
@@ -44,6 +44,28 @@ struct TestAssessment {
 
 [[nodiscard]] TestAssessment assess(const Criteria& criteria, const Recording& recording,
                                     const Ground& ground);
+
+/// `none`: a metric, which has a value and no verdict.
+enum class StoredVerdict { none, vacuous, pass, fail, unavoidable };
+
+/// `none`, `vacuous`, `pass`, `fail`, `unavoidable`: the words of the store's column.
+[[nodiscard]] std::string_view name(StoredVerdict verdict);
+[[nodiscard]] std::optional<StoredVerdict> parse_stored_verdict(std::string_view text);
+
+/// One row of the table `assessments`. Numbers may be infinite but not NaN.
+struct AssessmentRow {
+  /// The id of the metric or assertion, `min_distance`; unique in its test together with the actor.
+  std::string id;
+  std::optional<double> value;
+  /// The tick that the value belongs to, or the first one that violates the assertion.
+  std::optional<std::uint32_t> tick;
+  /// Index into the recording's actors: the other road user, if it concerns one.
+  std::optional<std::uint32_t> actor;
+  std::optional<double> robustness;
+  StoredVerdict verdict = StoredVerdict::none;
+
+  friend bool operator==(const AssessmentRow&, const AssessmentRow&) = default;
+};
 
 /// Rows for a store: one for each assertion and for each metric that has a value.
 [[nodiscard]] std::vector<AssessmentRow> to_rows(const Criteria& criteria,

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "experiment/compare/experiment.h"
-#include "experiment/test_run/test_troubles.h"
+#include "experiment/test_run/test_result.h"
 
 namespace jaywalk {
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "experiment/compare/csv_fields.h"
 #include "experiment/compare/measures/measures.h"
 #include "experiment/export/comparison_files.h"
 #include "experiment/judge/csv_line.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "experiment/export/exporter.h"
-#include "experiment/results/excerpt.h"
+#include "experiment/results/merge.h"
 #include "experiment/scenario/files/temporary.h"
 #include "interpreter/support/text.h"
 

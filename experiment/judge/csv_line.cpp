@@ -1,6 +1,18 @@
 #include "experiment/judge/csv_line.h"
 
+#include <fmt/format.h>
+
 namespace jaywalk {
+namespace {
+
+std::string six_decimals(double value) {
+  std::string text = fmt::format("{:.6f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+}  // namespace
 
 std::vector<CsvField> csv_fields(std::string_view line) {
   std::vector<CsvField> fields;
@@ -31,6 +43,11 @@ std::string csv_quoted(std::string_view text) {
     field += c;
   }
   return field + '"';
+}
+
+void add_csv_field(std::string& line, std::optional<double> value) {
+  line += ',';
+  if (value) line += six_decimals(*value);
 }
 
 }  // namespace jaywalk

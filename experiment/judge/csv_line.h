@@ -2,6 +2,7 @@
 
 // Lines of CSV files.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,5 +21,7 @@ struct CsvField {
 [[nodiscard]] std::vector<CsvField> csv_fields(std::string_view line);
 /// A text as a field: in quotes if it holds a separator or quotes.
 [[nodiscard]] std::string csv_quoted(std::string_view text);
+/// Adds a comma and the number with at most six decimals; nothing after the comma if there is none.
+void add_csv_field(std::string& line, std::optional<double> value);
 
 }  // namespace jaywalk

@@ -1,9 +1,11 @@
 #pragma once
 
-// Puts the stores of an experiment's shards together. The result does not depend on the order in
-// which they are named.
+// Stores made of stores: those of an experiment's shards together, whatever the order in which they
+// are named; and some tests of one.
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,5 +25,11 @@ struct MergeOutcome {
 /// same test with different outcomes.
 [[nodiscard]] Result<MergeOutcome> merge_stores(const std::string& output,
                                                 const std::vector<std::string>& inputs);
+
+/// Copies the store `from` to a new file `to` with the tests of these ids only. The copy keeps the
+/// description of the whole experiment; it is for programs that read its tables. Returns why that
+/// was not possible.
+[[nodiscard]] std::optional<std::string> copy_tests(const std::string& from, const std::string& to,
+                                                    std::span<const std::int64_t> ids);
 
 }  // namespace jaywalk

@@ -2,8 +2,6 @@
 target_sources(jaywalk_experiment PRIVATE
   results/assessment_writer.cpp
   results/description.cpp
-  results/excerpt.cpp
-  results/extend.cpp
   results/merge.cpp
   results/reader.cpp
   results/store/database.cpp
@@ -15,7 +13,6 @@ target_sources(jaywalk_experiment PRIVATE
   results/store/store_file.cpp
   results/stored_description.cpp
   results/stored_rows.cpp
-  results/test_record.cpp
   results/writer.cpp)
 set_property(SOURCE results/description.cpp results/reader.cpp
              APPEND PROPERTY COMPILE_DEFINITIONS JAYWALK_VERSION="${PROJECT_VERSION}")

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "experiment/compare/assessment_row.h"
 #include "experiment/compare/experiment.h"
 #include "experiment/compare/summary.h"
+#include "experiment/compare/test_assessment.h"
 #include "experiment/judge/recording.h"
 #include "experiment/test_run/test_run.h"
 
@@ -35,9 +35,5 @@ struct TestRecord {
   /// Everything that was seen. The store keeps actors and events, and scenes as its level says.
   Recording recording;
 };
-
-/// Puts the outcome of a test and its recording together. `result` has the values for the measures.
-[[nodiscard]] TestRecord make_test_record(const TestKey& test, const TestResult& result,
-                                          const TestRun& run, Recording recording);
 
 }  // namespace jaywalk

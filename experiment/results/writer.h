@@ -17,6 +17,10 @@
 
 namespace jaywalk {
 
+/// Puts the outcome of a test and its recording together. `result` has the values for the measures.
+[[nodiscard]] TestRecord make_test_record(const TestKey& test, const TestResult& result,
+                                          const TestRun& run, Recording recording);
+
 class ResultsWriter {
  public:
   /// A new store. Errors: the file exists, or its folder does not.
@@ -66,7 +70,7 @@ struct StoreOptions {
   Shard shard;
   /// Continues the store if it is there; otherwise there must be none.
   bool resume = false;
-  /// Of a continued store: tests that ended errored are run again.
+  /// Tests of a continued store that ended errored are run again.
   bool retry_errors = false;
 };
 

@@ -1,10 +1,9 @@
-#include "experiment/run/comparison_request.h"
-
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "experiment/compare/carry_over.h"
+#include "experiment/run/run_comparison.h"
 #include "experiment/test_run/test_run.h"
 #include "experiment/test_run/tested_vehicles.h"
 

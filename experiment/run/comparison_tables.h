@@ -14,7 +14,7 @@
 #include "experiment/compare/per_test.h"
 #include "experiment/compare/situation_table.h"
 #include "experiment/compare/troubles.h"
-#include "experiment/run/comparison_request.h"
+#include "experiment/run/run_comparison.h"
 #include "experiment/test_run/controller_notes.h"
 
 namespace jaywalk {

@@ -35,7 +35,7 @@ class RunningTests {
     wanted_ = request.plan.cells() * each - (store != nullptr ? store->had() : 0);
   }
 
-  /// All that are to be run; progress counts these alone.
+  /// Runs the missing tests; progress counts these alone.
   [[nodiscard]] ExperimentOutcome run() {
     const auto progress = [&](const Progress&) {
       const bool broken = store_ != nullptr && store_->failure();
@@ -128,21 +128,9 @@ class RunningTests {
     return keep(test, run, wall.count(), std::move(recording));
   }
 
-  /// The measured values of a test; only the times if it ended errored.
-  static TestResult values_of(const TestRun& run, double wall_us) {
-    TestResult result{.errored = !run.completed,
-                      .ticks = static_cast<std::uint32_t>(run.outcome.ticks),
-                      .cpu_us = run.cpu_s * 1e6,
-                      .wall_us = wall_us};
-    if (result.errored) return result;
-    result.succeeded = run.outcome.success;
-    result.score = run.outcome.score();
-    return result;
-  }
-
   /// Judges the test and hands it to the tables and the store.
   TestResult keep(const TestKey& test, const TestRun& run, double wall_us, Recording recording) {
-    const TestResult result = values_of(run, wall_us);
+    const TestResult result = result_of(run, wall_us);
     tables_.notes.add(request_.plan.place_of(test), run.notes);
     // All measures are about the first vehicle.
     if (test.vehicle == 0) note_measured(test, result, run, recording);

@@ -17,13 +17,45 @@
 #include "experiment/compare/comparison.h"
 #include "experiment/compare/per_test.h"
 #include "experiment/judge/situations/situations.h"
-#include "experiment/run/comparison_request.h"
+#include "experiment/results/writer.h"
+#include "experiment/scenario/scenario.h"
 #include "experiment/test_run/test_run.h"
 
 namespace jaywalk {
 
-/// What the caller wants to do meanwhile; each may be left out. The first three and `closed` are
-/// called on the caller's thread, the others on any.
+/// Which tests, by what they are judged, and where they are kept.
+struct ComparisonRequest {
+  std::shared_ptr<const PreparedScenario> prepared;
+  /// Those by which the scenario was read: a store keeps them.
+  ScenarioOptions options;
+  std::uint64_t seed = 0;
+  /// REQUIRES: its behaviours, vehicles and order are those of comparison_request(). Numbers of
+  /// agents, tests and threads may be chosen.
+  ExperimentPlan plan;
+  Criteria criteria;
+  /// Empty: no store keeps the tests.
+  std::optional<StoreOptions> store;
+  /// The simulator that moves the vehicles (simulator_version.h); empty: it is asked.
+  std::optional<std::string> simulator;
+  /// Whether it is noted which situations the tests cover; and a row for each test, which a store
+  /// has anyway.
+  bool situations = false;
+  bool per_test = false;
+};
+
+/// The scenario's own experiment, judged by the scenario's assertions, on one thread.
+[[nodiscard]] ComparisonRequest comparison_request(
+    std::shared_ptr<const PreparedScenario> prepared);
+
+/// The experiment as a store and a report keep it.
+[[nodiscard]] ExperimentDescription describe(const ComparisonRequest& request);
+
+/// Why it cannot be run: it is too large, asks for what excludes each other, or has a test that
+/// cannot be run (there are no start cells for it, say).
+[[nodiscard]] Diagnostics problems(const ComparisonRequest& request);
+
+/// Functions of the caller, each of which may be left out. The first three are called on the
+/// caller's thread, the others on any.
 struct ComparisonHooks {
   /// The store is open, and tests would begin. With `no` nothing is run: there are no results, and
   /// the error says nothing.
@@ -36,8 +68,8 @@ struct ComparisonHooks {
   /// From time to time, also in the middle of tests: true ends the comparison; finished tests are
   /// kept.
   std::function<bool()> interrupted;
-  /// Returns what `run` returns, which runs the test by the options: they may be changed before, so
-  /// that somebody listens.
+  /// Returns what `run` returns, which runs the test by the options; it may add observers to these
+  /// first.
   std::function<TestRun(const TestKey& test, const TestSetup& setup, TestOptions& options,
                         const std::function<TestRun()>& run)>
       around;
@@ -49,14 +81,15 @@ struct ComparisonHooks {
 };
 
 struct ComparisonResults {
-  /// Of all tests of the store, which may have had some before; of those that were run without one.
+  /// Sums up all tests of the store, which may have had some before; without a store those of this
+  /// call.
   Comparison comparison;
   ExperimentDescription description;
-  /// Of the tests that were missing.
+  /// Counts the tests that were missing.
   Progress progress;
   /// Remarks for the authors of the AVs' controllers.
   std::vector<std::string> notes;
-  /// What the tests of each of the comparison's summaries cover, if asked for.
+  /// The situations that the tests of each of the comparison's summaries cover, if asked for.
   std::vector<SituationCoverage> situations;
   /// The single tests, if asked for and not in a store; else null.
   std::unique_ptr<PerTestTable> per_test;

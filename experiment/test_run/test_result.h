@@ -1,11 +1,15 @@
 #pragma once
 
-// The result of one test: the values for the measures, and other outcomes to report.
+// The result of one test: the values for the measures, and other outcomes to report, failures of
+// its agents among them. Read interpreter/agent/drops.h first.
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "interpreter/agent/drops.h"
 
 namespace jaywalk {
 
@@ -39,6 +43,25 @@ struct TestOutcome {
   std::optional<double> impact_mps;
 
   friend bool operator==(const TestOutcome&, const TestOutcome&) = default;
+};
+
+/// An agent of one test has dropped intentions for that reason.
+struct AgentDrop {
+  /// The number in recordings: agents are numbered from 1, the pedestrians first.
+  std::uint32_t actor = 0;
+  DropCause cause;
+};
+
+/// The troubles of one test.
+struct TestTroubles {
+  std::uint64_t agents = 0;
+  std::uint64_t pedestrians = 0;
+  /// Pedestrians none of whose actions was carried out.
+  std::uint64_t idle = 0;
+  /// In the order of the agents.
+  std::vector<AgentDrop> drops;
+  /// Why, and where, the test ended errored; empty if it did not.
+  std::string error;
 };
 
 }  // namespace jaywalk

@@ -281,6 +281,17 @@ std::string problem(const PreparedScenario& prepared, const TestSetup& setup) {
   return prepared.scenario().world->problem(start_of(setup));
 }
 
+TestResult result_of(const TestRun& run, double wall_us) {
+  TestResult result{.errored = !run.completed,
+                    .ticks = static_cast<std::uint32_t>(run.outcome.ticks),
+                    .cpu_us = run.cpu_s * 1e6,
+                    .wall_us = wall_us};
+  if (result.errored) return result;
+  result.succeeded = run.outcome.success;
+  result.score = run.outcome.score();
+  return result;
+}
+
 TestOutcome outcome_of(const TestRun& run) {
   const WorldResult& of = run.outcome;
   TestOutcome outcome{.ticks = static_cast<std::uint32_t>(of.all_ticks)};

@@ -22,7 +22,6 @@
 #include "experiment/test_run/covered_bins.h"
 #include "experiment/test_run/prepared_scenario.h"
 #include "experiment/test_run/test_result.h"
-#include "experiment/test_run/test_troubles.h"
 #include "interpreter/mas/mas.h"
 
 namespace jaywalk {
@@ -102,6 +101,8 @@ struct TestRun {
   double cpu_s = 0;
 };
 
+/// Its values for the measures; only the times if it ended errored.
+[[nodiscard]] TestResult result_of(const TestRun& run, double wall_us = 0);
 /// Its line in a table of single tests.
 [[nodiscard]] TestOutcome outcome_of(const TestRun& run);
 

@@ -1,17 +1,29 @@
 #pragma once
 
-// Kills that were counted elsewhere (a search, another comparison) beside those of a matrix: reads
-// the CSV that `--kills` writes (compare/kills/kills_csv.h). Read kills.h first.
+// The kill matrix as CSV, as `--kills` writes it, and such files read again: kills that were
+// counted elsewhere (a search, another comparison) beside those of a matrix. Read kills.h first.
+//
+// A row for each behaviour, number of agents and defect. Columns: behaviour, agents, defect,
+// severity (empty: it has none), tests, kills, kill_pct with its 95 % interval (low, high; Wilson),
+// first_kill_median: how many tests it takes to kill the defect with a chance of a half (empty:
+// none did).
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiment/compare/kills/kills.h"
 #include "interpreter/support/diagnostics.h"
 
 namespace jaywalk {
+
+inline constexpr std::string_view kKillsCsvHeader =
+    "behaviour,agents,defect,severity,tests,kills,kill_pct,low,high,first_kill_median";
+
+/// Cells whose tests are not finished are left out. Equal matrices give equal bytes.
+[[nodiscard]] std::string to_kills_csv(const KillMatrix& matrix);
 
 /// A line of such a file.
 struct KillLine {

@@ -9,10 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/compare/csv_fields.h"
 #include "experiment/compare/kills/kills.h"
 #include "experiment/compare/measures/distribution.h"
 #include "experiment/compare/measures/significance.h"
+#include "experiment/judge/csv_line.h"
 
 namespace jaywalk {
 namespace {

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/compare/kills/kills_csv.h"
 #include "experiment/compare/kills/kills_file.h"
 #include "experiment/compare/kills/predictors.h"
 #include "experiment/compare/measures/statistics.h"

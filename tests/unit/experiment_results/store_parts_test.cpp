@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "experiment/export/comparison_files.h"
-#include "experiment/results/excerpt.h"
 #include "experiment/results/merge.h"
 #include "experiment/results/reader.h"
 #include "experiment/results/store/geopackage.h"

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "experiment/compare/kills/kills_csv.h"
+#include "experiment/compare/kills/kills_file.h"
 #include "experiment/report/tables/tables.h"
 #include "interpreter/support/text.h"
 #include "search/export/exports.h"

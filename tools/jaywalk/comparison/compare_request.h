@@ -10,7 +10,7 @@
 
 #include "experiment/compare/failure_condition.h"
 #include "experiment/compare/kills/kills_file.h"
-#include "experiment/run/comparison_request.h"
+#include "experiment/run/run_comparison.h"
 #include "experiment/test_run/plan_coverage.h"
 #include "tools/jaywalk/comparison/comparison_output.h"
 #include "tools/jaywalk/console/console.h"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "env/grid/start_cells.h"
-#include "experiment/compare/kills/kills_csv.h"
+#include "experiment/compare/kills/kills_file.h"
 #include "experiment/export/comparison_files.h"
 #include "experiment/report/stored_coverage.h"
 #include "experiment/results/reader.h"

@@ -140,12 +140,6 @@ std::unique_ptr<ResultsWriter> open_store(const Request& request, const Argument
   return nullptr;
 }
 
-TestResult result_of(const TestRun& run) {
-  return {.succeeded = run.outcome.success,
-          .ticks = static_cast<std::uint32_t>(run.outcome.ticks),
-          .score = run.outcome.score()};
-}
-
 void store_test(const Request& request, const TestRun& run, Recording recording,
                 const TestAssessment& assessment, ResultsWriter& store) {
   const TestKey test{.behaviour = request.setup.behaviour,
