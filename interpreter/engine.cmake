@@ -90,9 +90,14 @@ jaywalk_add_library(engine
     coverage/probes.cpp
     coverage/source_coverage.cpp
     coverage/text.cpp
+    embed/agent_functions.cpp
+    embed/call.cpp
+    embed/formula_text.cpp
     embed/interpreter.cpp
+    embed/observer.cpp
     embed/program_loader.cpp
     embed/project_agents.cpp
+    embed/terms.cpp
     explain/explanation.cpp
     explain/near_misses.cpp
     explain/text.cpp

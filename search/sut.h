@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "experiment/judge/situations/situations.h"
-#include "interpreter/support/source.h"
 #include "search/test_input.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk {
 

@@ -17,7 +17,8 @@
 
 #include "env/scene.h"
 #include "env/vehicle/vehicle.h"
-#include "interpreter/environment/environment.h"
+#include "interpreter/environment/percepts.h"
+#include <jaywalk/environment.h>
 
 namespace jaywalk {
 

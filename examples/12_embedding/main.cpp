@@ -2,8 +2,9 @@
 //
 //   cmake -B build && cmake --build build && build/12_embedding     # in this folder
 
-#include <interpreter/embed/interpreter.h>
 #include <iostream>
+
+#include <jaywalk/interpreter.h>
 
 int main() {
   jaywalk::Interpreter interpreter(

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "interpreter/support/source.h"
 #include "interpreter/syntax/ast.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk {
 

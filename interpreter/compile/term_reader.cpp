@@ -5,7 +5,6 @@
 #include "interpreter/compile/translator.h"
 #include "interpreter/logic/machine.h"
 #include "interpreter/support/diagnostics.h"
-#include "interpreter/support/source.h"
 #include "interpreter/syntax/parser.h"
 
 namespace jaywalk {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "interpreter/coverage/coverage.h"
-#include "interpreter/support/source.h"
 #include "interpreter/support/source_files.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk {
 

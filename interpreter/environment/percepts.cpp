@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <jaywalk/environment.h>
+
 namespace jaywalk {
 
 void Percepts::clear() {
@@ -75,6 +77,13 @@ void Percepts::keep_common_end() {
 void Percepts::add_gone(Predicate predicate, std::span<const Value> args) {
   gone_args_.insert(gone_args_.end(), args.begin(), args.end());
   gone_.push_back({predicate, static_cast<std::uint32_t>(gone_args_.size())});
+}
+
+void add_percept(Percepts& percepts, Predicate predicate, std::initializer_list<Value> args) {
+  percepts.add(predicate, args);
+}
+void add_percept(Percepts& percepts, Predicate predicate, std::span<const Value> args) {
+  percepts.add(predicate, args);
 }
 
 }  // namespace jaywalk

@@ -7,27 +7,15 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
-#include "interpreter/term/value.h"
+#include <jaywalk/action.h>
 
 namespace jaywalk {
 
 class ActionCall;
-class Heap;
-class SymbolTable;
-
-/// The result of a call.
-enum class Outcome : std::uint8_t {
-  failed,  // false: the formula fails with ia_failed, the query has no solution
-  succeeded,
-  many,       // ActionCall::solutions yields them one by one
-  suspended,  // the intention waits; once resumed it goes on after the formula
-  error,      // ActionCall::error says why
-};
 
 using ActionFunction = Outcome (*)(ActionCall& call);
 
@@ -59,19 +47,6 @@ struct ActionDefinition {
 /// `package.name` has: "my.sum". It is called on the threads that run agents of its registry.
 [[nodiscard]] ActionDefinition own_action(std::string name, int least_args, int most_args,
                                           std::function<Outcome(ActionCall& call)> body);
-
-/// Evaluates a function whose arguments have been applied; no value: the term stays as it is.
-using FunctionBody = bool (*)(std::span<const Value> args, Heap& heap, SymbolTable& symbols,
-                              Value& result);
-
-struct FunctionDefinition {
-  std::string name;
-  int least_args = 0;
-  int most_args = 0;
-  FunctionBody function = nullptr;  // null: needs the machine (.count, math.random)
-  std::string signature;
-  std::string summary;
-};
 
 /// The error_msg of an action that is called with another number of arguments.
 [[nodiscard]] std::string wrong_number_of_arguments(const ActionDefinition& action);

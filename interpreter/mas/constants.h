@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "interpreter/agent/known_to_all.h"
-#include "interpreter/environment/environment.h"
+#include "interpreter/environment/percepts.h"
 #include "interpreter/program/program.h"
+#include <jaywalk/environment.h>
 
 namespace jaywalk {
 

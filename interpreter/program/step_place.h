@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "interpreter/support/source.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk {
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/support/source.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk {
 

@@ -1,11 +1,10 @@
-#include "interpreter/support/source.h"
-
 #include <algorithm>
 #include <cassert>
 #include <limits>
 #include <utility>
 
 #include "interpreter/support/text.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk {
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-#include "interpreter/support/source.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk::ast {
 

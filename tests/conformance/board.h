@@ -4,8 +4,9 @@
 
 #include <vector>
 
-#include "interpreter/environment/environment.h"
+#include "interpreter/environment/percepts.h"
 #include "interpreter/term/symbol.h"
+#include <jaywalk/environment.h>
 
 namespace jaywalk::test {
 

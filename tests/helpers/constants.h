@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/environment/environment.h"
+#include "interpreter/environment/percepts.h"
 #include "interpreter/term/print.h"
+#include <jaywalk/environment.h>
 
 namespace jaywalk::test {
 

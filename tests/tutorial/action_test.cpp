@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/actions/table/action_traits.h"
-#include "interpreter/embed/interpreter.h"
+#include <jaywalk/interpreter.h>
 
 namespace jaywalk {
 namespace {

@@ -2,7 +2,7 @@
 #
 #   bin/jaywalk                 the command; it finds what it ships with beside itself
 #   bin/jaywalk-draw            the program that the command runs to draw pictures
-#   include/jaywalk/            the public headers, under the same names as in the project
+#   include/jaywalk/            the public headers, those of */include/jaywalk in the project
 #   lib/libjaywalk_*.a          the libraries
 #   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, …
 #   share/jaywalk/              agents, scenarios and examples, with their documents
@@ -17,7 +17,9 @@ set(JAYWALK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/jaywalk)
 get_property(libraries GLOBAL PROPERTY JAYWALK_LIBRARIES)
 list(REMOVE_ITEM libraries jaywalk_command jaywalk_picture)
 install(TARGETS ${libraries} EXPORT jaywalk-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        INCLUDES DESTINATION ${JAYWALK_INCLUDE_DIR})
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${JAYWALK_INCLUDE_DIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/interpreter/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.h")
 install(EXPORT jaywalk-targets NAMESPACE jaywalk:: DESTINATION ${JAYWALK_PACKAGE_DIR})
 install(TARGETS jaywalk jaywalk-draw RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 

@@ -1,19 +1,7 @@
-# Run by the installation: copies the public headers and everything that they include, to
+# Run by the installation: copies the headers of worlds, experiments and searches and everything that they include, to
 # JAYWALK_INCLUDE_DIR below the prefix. JAYWALK_SOURCE_DIR is the project's folder.
 cmake_policy(VERSION 3.25)
-set(pending
-    interpreter/agent/agent.h
-    interpreter/check/check.h
-    interpreter/compile/compiler.h
-    interpreter/embed/interpreter.h
-    interpreter/logic/machine.h
-    interpreter/logic/solutions.h
-    interpreter/syntax/parser.h
-    interpreter/syntax/printer.h
-    interpreter/syntax/project/project.h
-    interpreter/term/compare.h
-    interpreter/term/print.h
-    interpreter/term/transfer.h)
+set(pending "")
 # All headers of the other layers, except for internals of reading scenarios and of searching.
 foreach(layer env experiment search)
   file(GLOB_RECURSE headers RELATIVE ${JAYWALK_SOURCE_DIR} ${JAYWALK_SOURCE_DIR}/${layer}/*.h)

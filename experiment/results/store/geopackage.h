@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "experiment/results/store/database.h"
-#include "interpreter/support/source.h"
 #include "interpreter/support/source_files.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk {
 

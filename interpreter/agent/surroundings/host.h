@@ -13,6 +13,7 @@
 #include "interpreter/agent/circumstance/message.h"
 #include "interpreter/logic/action.h"
 #include "interpreter/term/value.h"
+#include <jaywalk/run.h>
 
 namespace jaywalk {
 
@@ -34,23 +35,6 @@ struct OutgoingMessage {
   /// Identifies the message, so that an answer can refer to it.
   MessageId id;
   MessageId in_reply_to;
-};
-
-/// A program to be loaded while agents run.
-struct ProgramRequest {
-  std::string file;
-  /// The program is included into a running agent (`.include`), with its literals in the
-  /// namespace `ns`; empty: the default one.
-  bool included = false;
-  std::string ns;
-};
-
-/// Why a program was not loaded, or which parts of it were left out.
-struct LoadProblem {
-  std::string text;  // empty: there is none
-  /// The agents may not read the file, so that `.include` fails; one that is missing or wrong it
-  /// leaves out.
-  bool is_refused = false;
 };
 
 /// The agents of the system: their names, creation and end.

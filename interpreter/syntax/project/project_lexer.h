@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "interpreter/support/diagnostics.h"
-#include "interpreter/support/source.h"
 
 namespace jaywalk {
 

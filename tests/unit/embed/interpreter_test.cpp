@@ -1,11 +1,9 @@
 // The interpreter within another program.
 
-#include "interpreter/embed/interpreter.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/logic/solutions.h"
+#include <jaywalk/interpreter.h>
 
 namespace jaywalk {
 namespace {
@@ -153,13 +151,13 @@ TEST_F(Embedded, ManyBeliefsDoNotFillTheMemory) {
 
 TEST_F(Embedded, HasActionsOfItsOwn) {
   double total = 0;
-  interpreter.add_action("my.add", 1, 2, [&](ActionCall& call) {
+  interpreter.add_action("my.add", 1, 2, [&](Call& call) {
     if (!call.arg(0).is_number()) return call.wrong_argument(0, "a number");
     total += call.arg(0).as_number();
     return call.count() == 1 ? Outcome::succeeded : call.result(1, Value::number(total));
   });
-  interpreter.add_action("my.upto", 2, 2, [](ActionCall& call) {
-    return each(call, [i = 0.0, last = call.arg(0).as_number()](ActionCall& inner) mutable {
+  interpreter.add_action("my.upto", 2, 2, [](Call& call) {
+    return call.each([i = 0.0, last = call.arg(0).as_number()](Call& inner) mutable {
       return i < last && inner.unify(1, Value::number(++i));
     });
   });
@@ -186,7 +184,7 @@ TEST_F(Embedded, HasActionsOfItsOwn) {
 }
 
 TEST_F(Embedded, OwnActionsStandBeforeBuiltInOnes) {
-  interpreter.add_action(".print", 0, -1, [this](ActionCall&) {
+  interpreter.add_action(".print", 0, -1, [this](Call&) {
     printed.emplace_back("mine");
     return Outcome::succeeded;
   });

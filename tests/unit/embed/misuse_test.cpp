@@ -9,7 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/embed/interpreter.h"
+#include "interpreter/mas/mas.h"
+#include <jaywalk/interpreter.h>
 
 namespace jaywalk {
 namespace {

@@ -1,6 +1,6 @@
-#include "interpreter/support/source.h"
-
 #include <gtest/gtest.h>
+
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk {
 namespace {

@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "interpreter/support/source.h"
+#include <jaywalk/diagnostics.h>
 
 namespace jaywalk::lsp {
 

@@ -9,29 +9,13 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
+#include "interpreter/embed/formula_text.h"
 #include "interpreter/term/print.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/repl/line_editor.h"
 
 namespace jaywalk {
 namespace {
-
-// The formula with the values that its variables have by now.
-std::string formula_text(Agent& agent, const Intention& intention, const Step& step) {
-  if (step.source.is_unset()) return {};
-  Unifier& unifier = agent.machine().unifier();
-  const IntendedMeans& means = intention.stack.back();
-  const std::span<const Symbol> names = unifier.slot_names();
-  unifier.set_slot_names(means.plan->slot_names);
-  const std::size_t trail = unifier.mark();
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): bindings in the frame are undone
-  Value* const frame = const_cast<Intention&>(intention).frame(means);
-  const Value formula = unifier.instantiate(step.source, frame);
-  std::string text = term_text(formula, agent.symbols());
-  unifier.undo(trail);
-  unifier.set_slot_names(names);
-  return text;
-}
 
 /// The most reasoning cycles after one input, for an agent that never rests.
 constexpr std::uint64_t kCycles = 100'000;

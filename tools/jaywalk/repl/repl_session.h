@@ -10,11 +10,11 @@
 #include <string_view>
 
 #include "interpreter/agent/surroundings/observer.h"
-#include "interpreter/embed/interpreter.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/repl/repl_completion.h"
 #include "tools/jaywalk/repl/repl_input.h"
+#include <jaywalk/interpreter.h>
 
 namespace jaywalk {
 

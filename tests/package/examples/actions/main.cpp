@@ -1,9 +1,9 @@
 // Custom internal actions and a custom function.
-#include <interpreter/embed/interpreter.h>
-#include <interpreter/logic/solutions.h>
 #include <iostream>
 
-using jaywalk::ActionCall;
+#include <jaywalk/interpreter.h>
+
+using jaywalk::Call;
 using jaywalk::Outcome;
 using jaywalk::Value;
 
@@ -13,7 +13,7 @@ int main() {
 
   // road.braking_distance(Speed, Metres): one result. It keeps what it needs in what it captures.
   int asked = 0;
-  interpreter.add_action("road.braking_distance", 2, 2, [&asked](ActionCall& call) {
+  interpreter.add_action("road.braking_distance", 2, 2, [&asked](Call& call) {
     constexpr double kDeceleration = 6.5;  // m/s^2
     if (!call.arg(0).is_number()) return call.wrong_argument(0, "a speed in m/s");
     const double speed = call.arg(0).as_number();
@@ -23,8 +23,8 @@ int main() {
   });
 
   // road.lane(Lane): a solution for each lane, found by backtracking.
-  interpreter.add_action("road.lane", 1, 1, [](ActionCall& call) {
-    return each(call, [lane = 0](ActionCall& again) mutable {
+  interpreter.add_action("road.lane", 1, 1, [](Call& call) {
+    return call.each([lane = 0](Call& again) mutable {
       return lane < 3 && again.unify(0, Value::number(++lane));
     });
   });

@@ -1,18 +1,20 @@
 // A custom world: a room that cools, and a heater for one agent.
-#include <interpreter/embed/interpreter.h>
 #include <iostream>
+#include <memory>
+
+#include <jaywalk/interpreter.h>
 
 namespace {
 
 class Room : public jaywalk::Environment {
  public:
   explicit Room(jaywalk::SymbolTable& symbols)
-      : temperature_(symbols.predicate("temperature", 1)),
-        heat_(symbols.predicate("heat", 1)),
-        rest_(symbols.predicate("rest", 0)) {}
+      : temperature_(predicate_named(symbols, "temperature", 1)),
+        heat_(predicate_named(symbols, "heat", 1)),
+        rest_(predicate_named(symbols, "rest", 0)) {}
 
   void perceive(jaywalk::AgentId, jaywalk::Percepts& percepts) const override {
-    percepts.add(temperature_, {jaywalk::Value::number(degrees_)});
+    add_percept(percepts, temperature_, {jaywalk::Value::number(degrees_)});
   }
 
   void execute(std::span<const jaywalk::ActionRequest> actions,

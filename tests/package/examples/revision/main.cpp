@@ -1,28 +1,26 @@
 // Custom belief revision and social acceptance.
-#include <interpreter/agent/agent.h>
-#include <interpreter/embed/interpreter.h>
 #include <iostream>
+#include <string_view>
+
+#include <jaywalk/interpreter.h>
 
 namespace {
 
-jaywalk::Customisation caution() {
-  jaywalk::Customisation functions;
+jaywalk::AgentClass caution() {
+  jaywalk::AgentClass functions;
   // There is one position at a time: a new one takes the old one's place. Rumours are not believed.
-  functions.revise_beliefs = [](jaywalk::BeliefRevision& revision) {
-    jaywalk::Agent& agent = revision.agent();
-    const jaywalk::LiteralParts belief = literal_parts(revision.literal());
-    const std::string_view functor = agent.symbols().functor(belief.predicate);
+  functions.revise_beliefs = [](jaywalk::Revision& revision) {
+    const jaywalk::Terms terms = revision.agent().terms();
+    const std::string_view functor = terms.functor(revision.literal());
     if (functor == "rumour") return;
-    if (functor == "position" && revision.kind() == jaywalk::BeliefRevision::Kind::add) {
-      const jaywalk::Value anywhere = agent.heap().variable();
-      const std::span<const jaywalk::Value> args(&anywhere, 1);
-      revision.remove(agent.heap().structure(belief.predicate, args));
+    if (functor == "position" && revision.is_addition()) {
+      revision.remove(terms.structure("position", {terms.variable()}));
     }
     revision.accept();
   };
   // Orders are taken from the boss alone.
-  functions.accepts_message = [](jaywalk::Agent& agent, const jaywalk::Message& message) {
-    return agent.symbols().text(message.performative) != "achieve" || message.sender == "boss";
+  functions.accepts_message = [](jaywalk::AgentView, const jaywalk::MessageView& message) {
+    return message.performative != "achieve" || message.sender == "boss";
   };
   return functions;
 }
@@ -35,8 +33,7 @@ int main() {
   const auto guard = interpreter.load_file(EXAMPLE_DIR "/guard.asl");
   const auto talker = interpreter.load_file(EXAMPLE_DIR "/talker.asl");
   if (!guard || !talker) return 2;
-  interpreter.add_agent("guard", guard.value(),
-                        std::make_shared<const jaywalk::Customisation>(caution()));
+  interpreter.add_agent("guard", guard.value(), caution());
   interpreter.add_agent("thief", talker.value());
   interpreter.add_agent("boss", talker.value());
   interpreter.run();

@@ -1,54 +1,57 @@
 // Custom selection functions: urgent goals go first.
-#include <interpreter/agent/agent.h>
-#include <interpreter/embed/interpreter.h>
 #include <iostream>
+#include <span>
+
+#include <jaywalk/interpreter.h>
+
+using jaywalk::AgentView;
+using jaywalk::EventView;
+using jaywalk::IntentionView;
+using jaywalk::OptionView;
+using jaywalk::Terms;
+using jaywalk::Value;
 
 namespace {
 
 // The number in an annotation priority(N) of a plan's label; 0 if there is none.
-double priority(const jaywalk::Plan& plan, const jaywalk::Agent& agent) {
-  jaywalk::Value rest = literal_parts(plan.label).annots;
-  for (; rest.is_pair(); rest = deref(rest.pair()->tail)) {
-    const jaywalk::Value annot = deref(rest.pair()->head);
-    if (!jaywalk::is_literal(annot)) continue;
-    const jaywalk::LiteralParts parts = literal_parts(annot);
-    if (agent.symbols().functor(parts.predicate) == "priority" && parts.args.size() == 1 &&
-        parts.args[0].is_number()) {
-      return parts.args[0].as_number();
+double priority(Value label, const Terms& terms) {
+  for (const Value annotation : terms.annotations(label)) {
+    const std::vector<Value> args = terms.args(annotation);
+    if (terms.functor(annotation) == "priority" && args.size() == 1 && args[0].is_number()) {
+      return args[0].as_number();
     }
   }
   return 0;
 }
 
 // The place of the element for which `value` is greatest; the first of equals.
-template <class List, class ValueOf>
-std::size_t best(const List& list, ValueOf value) {
+template <class Element, class ValueOf>
+std::size_t best(std::span<const Element> elements, ValueOf value) {
   std::size_t found = 0;
-  for (std::size_t i = 1; i < list.size(); ++i) {
-    if (value(list[i]) > value(list[found])) found = i;
+  for (std::size_t i = 1; i < elements.size(); ++i) {
+    if (value(elements[i]) > value(elements[found])) found = i;
   }
   return found;
 }
 
-jaywalk::Customisation urgency() {
-  jaywalk::Customisation functions;
+jaywalk::AgentClass urgency() {
+  jaywalk::AgentClass functions;
   // Beliefs about the world before goals.
-  functions.select_event = [](jaywalk::Agent&, const jaywalk::Ring<jaywalk::Event>& events) {
-    return best(events, [](const jaywalk::Event& event) {
-      return event.kind == jaywalk::TriggerKind::belief ? 1 : 0;
+  functions.select_event = [](AgentView, std::span<const EventView> events) {
+    return best(events, [](const EventView& event) {
+      return event.kind == EventView::Kind::belief ? 1 : 0;
     });
   };
   // The applicable plan with the highest priority.
-  functions.select_option = [](jaywalk::Agent& agent, const jaywalk::Event&,
-                               std::span<const jaywalk::Option> options) {
+  functions.select_option = [](AgentView agent, const EventView&,
+                               std::span<const OptionView> options) {
     return best(options,
-                [&](const jaywalk::Option& option) { return priority(*option.plan, agent); });
+                [&](const OptionView& option) { return priority(option.label, agent.terms()); });
   };
   // The intention whose plan has the highest priority, until it is done.
-  functions.select_intention = [](jaywalk::Agent& agent,
-                                  const jaywalk::Ring<jaywalk::Intention*>& ready) {
-    return best(ready, [&](const jaywalk::Intention* intention) {
-      return priority(*intention->top().plan, agent);
+  functions.select_intention = [](AgentView agent, std::span<const IntentionView> ready) {
+    return best(ready, [&](const IntentionView& intention) {
+      return priority(intention.label, agent.terms());
     });
   };
   return functions;
@@ -66,7 +69,6 @@ int main() {
   }
   interpreter.add_agent("plain", program.value());
   interpreter.run();
-  const auto functions = std::make_shared<const jaywalk::Customisation>(urgency());
-  interpreter.add_agent("urgent", program.value(), functions);
+  interpreter.add_agent("urgent", program.value(), urgency());
   interpreter.run();
 }

@@ -1,34 +1,32 @@
 // Terms as Values: what an action finds in its arguments, and what it can make of its own.
-#include <interpreter/embed/interpreter.h>
-#include <interpreter/logic/action.h>
 #include <iostream>
 #include <string>
 #include <vector>
 
-using jaywalk::ActionCall;
+#include <jaywalk/interpreter.h>
+
+using jaywalk::Call;
 using jaywalk::Outcome;
+using jaywalk::Terms;
 using jaywalk::Value;
 
 namespace {
 
-// Describes a term in words. A list is a chain of pairs, each with a head and a tail.
-std::string described(Value term, ActionCall& call) {
-  term = deref(term);
+// Describes a term in words.
+std::string described(Value term, const Terms& terms) {
   if (term.is_number()) return "number " + std::to_string(term.as_number());
-  if (term.is_text()) return "string of " + std::to_string(term.text()->view().size()) + " bytes";
+  if (term.is_text()) return "string of " + std::to_string(terms.text(term).size()) + " bytes";
   if (term.is_variable()) return "variable";
   if (term.is_list()) {
     std::string text = "list of";
-    for (; term.is_pair(); term = deref(term.pair()->tail)) {
-      text += " (" + described(term.pair()->head, call) + ")";
+    for (const Value element : terms.elements(term)) {
+      text += " (" + described(element, terms) + ")";
     }
     return text;
   }
-  if (!jaywalk::is_literal(term)) return "something else";
-  const jaywalk::LiteralParts parts = literal_parts(term);
-  const std::string functor(call.symbols().functor(parts.predicate));
-  return (term.is_atom() ? "atom " : "structure ") + functor + "/" +
-         std::to_string(parts.args.size());
+  if (!terms.is_literal(term)) return "something else";
+  return (term.is_atom() ? "atom " : "structure ") + std::string(terms.functor(term)) + "/" +
+         std::to_string(terms.args(term).size());
 }
 
 }  // namespace
@@ -39,19 +37,17 @@ int main() {
 
   // Only numbers and strings are kept beyond the call, never Values.
   std::vector<std::string> kept;
-  interpreter.add_action("my.describe", 1, 1, [&kept](ActionCall& call) {
-    kept.push_back(described(call.arg(0), call));
+  interpreter.add_action("my.describe", 1, 1, [&kept](Call& call) {
+    kept.push_back(described(call.arg(0), call.terms()));
     return Outcome::succeeded;
   });
 
   // my.seen(Term): seen([left, "left", 1]), an atom, a string and a number in a list in a
   // structure.
-  interpreter.add_action("my.seen", 1, 1, [](ActionCall& call) {
-    const Value left = Value::atom(call.symbols().predicate("left", 0));
-    const std::vector<Value> elements{left, call.heap().text("left"), Value::number(1)};
-    const Value list = call.heap().list(elements);
-    const std::vector<Value> args{list};
-    return call.result(0, call.heap().structure(call.symbols().predicate("seen", 1), args));
+  interpreter.add_action("my.seen", 1, 1, [](Call& call) {
+    const Terms terms = call.terms();
+    const Value list = terms.list({terms.atom("left"), terms.string("left"), Value::number(1)});
+    return call.result(0, terms.structure("seen", {list}));
   });
 
   const auto program = interpreter.load_text(

@@ -2,3 +2,4 @@
 #include <boost/spirit/home/x3.hpp>
 
 #include "experiment/test_run/test_run.h"
+#include <jaywalk/nothing.h>

@@ -13,23 +13,36 @@
 // An Interpreter is used by one thread at a time; several of them share nothing.
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "interpreter/environment/environment.h"
-#include "interpreter/logic/action_registry.h"
-#include "interpreter/mas/mas.h"
-#include "interpreter/support/diagnostics.h"
-#include "interpreter/syntax/load.h"
+#include <jaywalk/action.h>
+#include <jaywalk/agent_class.h>
+#include <jaywalk/diagnostics.h>
+#include <jaywalk/environment.h>
+#include <jaywalk/run.h>
 
 namespace jaywalk {
 
-struct CompileOptions;
+class Mas;
+struct IncludePath;
+
+/// Where programs find what they include and what they read as they run. The program's own folder
+/// and that of its project are searched, and may be read, in any case.
+struct ProgramFolders {
+  /// Searched for included files, in order; may be read.
+  std::vector<std::string> included;
+  /// Prefixes of names and the folders that stand for them: {"$lib", "/opt/agents"}.
+  std::vector<std::pair<std::string, std::string>> mapped;
+  /// May be read as well.
+  std::vector<std::string> readable;
+};
 
 /// One solution of a query: the values of its variables, in the order of the query. Variables that
 /// are still free are left out.
@@ -60,31 +73,33 @@ class Interpreter {
   /// Makes the agents' world; the names that it needs are put into the table in its constructor.
   using EnvironmentMaker = std::function<std::unique_ptr<Environment>(SymbolTable& symbols)>;
 
-  /// `options` says where output goes, the seed and the limits (mas/mas.h). Without a world, agents
-  /// think and talk only.
+  /// `options` says where output goes, the seed and the limits. Without a world, agents think and
+  /// talk only.
   explicit Interpreter(MasOptions options = {}, const EnvironmentMaker& make_environment = {});
   ~Interpreter();
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;
 
-  /// Internal actions and functions beside the built-in ones. REQUIRES: no program has been loaded.
+  /// Internal actions and functions beside the built-in ones; one of the same name replaces it. An
+  /// action's name has a dot; `most_args` -1: any number. REQUIRES: no program has been loaded.
   void add_action(std::string name, int least_args, int most_args,
-                  std::function<Outcome(ActionCall& call)> body);
-  void add_action(ActionDefinition action);
+                  std::function<Outcome(Call& call)> body);
   void add_function(FunctionDefinition function);
 
   /// A program, to be run by any number of agents of this interpreter. Errors have their places.
   /// Its includes, and the files that agents load and list as they run, are read from its folder
-  /// and from the folders of `include_path`, nowhere else.
+  /// and from `folders`, nowhere else.
   [[nodiscard]] Result<std::shared_ptr<const Program>> load_file(
-      const std::string& path, const IncludePath& include_path = {});
+      const std::string& path, const ProgramFolders& folders = {});
   [[nodiscard]] Result<std::shared_ptr<const Program>> load_text(
-      const std::string& name, std::string text, const IncludePath& include_path = {});
+      const std::string& name, std::string text, const ProgramFolders& folders = {});
 
-  /// Agents may be added at any time; a name that is taken gets a suffix. `customisation` has the
-  /// agent's own functions (agent/surroundings/customisation.h). Without a program it has no plans.
+  /// Agents may be added at any time; a name that is taken gets a suffix. Without a program an
+  /// agent has no plans.
+  AgentId add_agent(const std::string& name, std::shared_ptr<const Program> program);
+  /// With functions of its own.
   AgentId add_agent(const std::string& name, std::shared_ptr<const Program> program,
-                    std::shared_ptr<const Customisation> customisation = {});
+                    AgentClass functions);
 
   /// Runs until all agents are idle, an agent stops the run, the environment is finished or a limit
   /// of the options is reached. After the first, it may be called again when there is more to do.
@@ -114,33 +129,33 @@ class Interpreter {
   /// interpreter goes, so for single beliefs the functions above are better.)
   [[nodiscard]] Diagnostics include(AgentId agent, const std::string& name, std::string text);
 
-  /// The whole system, for functions that this class does not have.
-  [[nodiscard]] Mas& mas() { return *mas_; }
-  [[nodiscard]] const ActionRegistry& actions() const { return actions_; }
+  /// An intention that Call::suspend made wait goes on behind its formula.
+  [[nodiscard]] Diagnostics resume(AgentId agent, std::uint32_t intention);
+
+  // How agents are.
+
+  /// False for those that are gone, and for ids that were never given.
+  [[nodiscard]] bool is_alive(AgentId agent) const;
+  /// The name that it got. This and what follows is empty of an agent that is gone.
+  [[nodiscard]] const std::string& agent_name(AgentId agent) const;
+  /// Its beliefs as texts, in the order of the belief base.
+  [[nodiscard]] std::vector<std::string> beliefs(AgentId agent) const;
+  /// The goals of each intention, the outermost first: "test_av > cross > step(right)".
+  [[nodiscard]] std::vector<std::string> intentions(AgentId agent) const;
+  /// Virtual time since the run began, in milliseconds.
+  [[nodiscard]] double now_ms() const;
+
+  // For the rest of this project, whose other headers are needed to use it: the whole system.
+  [[nodiscard]] Mas& mas();
+  [[nodiscard]] Result<std::shared_ptr<const Program>> load_file(const std::string& path,
+                                                                 const IncludePath& include_path);
+  [[nodiscard]] Result<std::shared_ptr<const Program>> load_text(const std::string& name,
+                                                                 std::string text,
+                                                                 const IncludePath& include_path);
 
  private:
-  class Text;
-
-  [[nodiscard]] Result<std::shared_ptr<const Program>> compiled(const SourceTree& tree,
-                                                                Diagnostics diagnostics,
-                                                                CompileOptions options);
-  void note_loading(const std::string& program, const IncludePath& include_path);
-  /// Why the agents may not read or list a file; empty: they may.
-  [[nodiscard]] std::string why_denied(std::string_view verb, const std::string& path) const;
-  /// Why this interpreter cannot do anything with the agent now; empty if it can.
-  [[nodiscard]] std::string obstacle(AgentId agent) const;
-  [[nodiscard]] Diagnostics tell(AgentId agent, const std::string& name, const std::string& text,
-                                 const std::function<void(Agent&, Value literal)>& what);
-
-  ActionRegistry actions_;
-  std::unique_ptr<Environment> environment_;
-  std::unique_ptr<Mas> mas_;
-  std::vector<std::shared_ptr<const Program>> programs_;
-  // The files that agents may read as they run: those of the program that was loaded last, and in
-  // the folders of all programs.
-  IncludePath include_path_;
-  std::set<std::string> folders_;
-  bool is_at_work_ = false;
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
 };
 
 }  // namespace jaywalk
