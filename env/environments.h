@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The worlds that a scenario can name, with the words by which agents perceive and act in them and

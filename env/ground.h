@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The ground that a test takes place on, in metres: lanes and pavements as areas, and what stands

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A number by which an experiment may change a controller, a generator or the like; their tables

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The state of a world at one moment, in metres and seconds: its actors (road users and whatever

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The stretch of its road on which a test failed. Generators that vary earlier failures find many

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A generator proposes test inputs and learns from their results. Each has a file in generators/

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The results of a generator's searches, and how two generators compare. Read search.h first.

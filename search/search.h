@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The loop: a generator is asked for a test input, the SUT executes it, the generator receives its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A search as a YAML file describes it (docs/reference/search.md is the reference of its keys).

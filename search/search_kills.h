@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Searches for defects as rows of the kill matrix, beside behaviours

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The system under test (SUT): executes a test input and returns its measures. A row of suts.def

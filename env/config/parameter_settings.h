@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The parameters of a program: initial beliefs that a scenario sets, and where programs are. Read

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The parsed values of a scenario or another YAML file of settings, each with the place where it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "env/config/section_reader.h"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Base of the readers of a scenario's sections: reads keys in a fixed order, and keeps where each

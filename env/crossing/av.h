@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The automated vehicle (AV) of a crossing world: how far it has come, how fast it is, what its

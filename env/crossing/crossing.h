@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The world of the case study: pedestrians beside a straight road on which an automated vehicle

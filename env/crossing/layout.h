@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The ground of a crossing world, cell by cell: from bands along the road, or from a map drawn with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Everything about the crossing world that is a number or a choice. The defaults are the case

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The percepts of the agents of the crossing world: the rows of percepts.def, in their order.
 
 #include <cassert>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The bodies that agents of the crossing world move (pedestrians, cyclists, other vehicles), and

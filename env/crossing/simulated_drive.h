@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The crossing's side of a simulator (env/simulator/simulator.h): it reports to the simulator where

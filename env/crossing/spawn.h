@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Where the pedestrians of a test begin. The cells depend on the parameters, the seed and the

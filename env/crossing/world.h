@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The crossing behind the seam of all worlds. Read crossing.h and env/world/world_spec.h first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Positions, directions and bounds on a grid of square cells. Worlds with a road lay it along +y:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Start cells as a file, so that the same beginnings can be kept, exchanged and replayed. A CSV

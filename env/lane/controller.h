@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Lane-keeping assistants: each steers a car along the right lane of a road that it knows. A row of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // One test of a lane-keeping assistant: it drives a road, and how far the car leaves its lane is

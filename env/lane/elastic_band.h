@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The line of a driver that cuts corners: an elastic band along the lane's middle. Read road.h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "env/lane/out_of_bounds.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How much of the car is outside of the right lane: the competition's oob_percentage. Read

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A line to be followed: arc length, heading and curvature of each of its points, and which of them

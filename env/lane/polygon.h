@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The plane geometry that the validity of a road needs: whether segments touch, whether the area of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Roads of the SBST/SBFT CPS competition: two lanes of 4 m, drawn through a few points; cars drive

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The curve through a road's points as the SBST/SBFT CPS competition draws it: SciPy's

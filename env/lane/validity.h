@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Which roads the SBST/SBFT CPS competition accepts, with its own messages and its own oddities.

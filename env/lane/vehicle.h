@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The car: a single-track model with saturating tyres, after CommonRoad's vehicle 2 (Althoff,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The world of the motorway: agents drive vehicles beside an automated vehicle (AV) that keeps its

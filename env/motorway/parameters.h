@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Everything about the motorway world that is a number or a choice: a straight carriageway on which

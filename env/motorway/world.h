@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The motorway behind the seam of all worlds. Read motorway.h and env/world/world_spec.h first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A child process that ends with us, however we end: even after SIGKILL. Between us and the program

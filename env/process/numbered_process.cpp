@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "env/process/numbered_process.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A child process that answers questions in lines of JSON, each question with its number. The

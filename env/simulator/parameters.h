@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The simulator that moves a world's vehicles, and its settings under `world.simulator`. The keys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The simulator seam: what stands between a world and a simulator that moves the automated vehicle

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The key `world.simulator` of a scenario: a simulator's name, or its name with its own keys, which

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The careful and competent human driver of UN Regulation No. 157 (the performance model of its

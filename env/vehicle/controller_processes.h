@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Processes of external controllers (external.cpp describes the protocol). The runner of the tests

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects of the AV as scenarios name them.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Defects: documented faults that are put on a controller, so that tests can be measured by what

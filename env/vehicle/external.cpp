@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A controller outside of this program, which answers an acceleration for each view, a line of JSON
 // each. docs/reference/controller_protocol.md describes the fields, which are those of VehicleView,
 // and what a kept process must keep to.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The actors that a vehicle has to brake for. This is the one definition of when a risk begins: all

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How a vehicle sees others. It serves the automated vehicle (AV) of a world and the driver with

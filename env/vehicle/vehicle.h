@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The Vehicle Behaviour Interface between the controller of an automated vehicle (AV) and the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How a scenario describes the automated vehicle (AV) of any world: the keys of `world.av` that say

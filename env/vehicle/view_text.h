@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Writes a view as one line of JSON, which an external controller reads for each decision.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The interface between a world and the code that runs tests in it. A world defines the percepts

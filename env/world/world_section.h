@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How a world reads its section of a scenario, the key `world`: layer upon layer (preset, file,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A world as a scenario describes it, the same for all tests. The world's own WorldSection reads it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Chains of tests: with `world.av.carry_over` the cells that the AV had left to drive in a test's

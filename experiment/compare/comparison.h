@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The results of a comparison as they are shown and written: by report/ as a table or a picture, by

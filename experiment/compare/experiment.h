@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Behaviours x numbers of agents x tests, run in parallel and summed up. The outcome is a function

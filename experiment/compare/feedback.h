@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Coverage feedback: pedestrians receive the bins that earlier tests covered as beliefs. The tests

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Rows that come to nothing: if the first tests of a row (a behaviour, a number of agents, a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiment/compare/per_test.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A row for each test of a comparison, for your own calculations: how it ended, when its

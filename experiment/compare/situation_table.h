@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The situations that an experiment's tests have met. Read situations.h first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The summary of the tests of one behaviour with one number of agents; every measure

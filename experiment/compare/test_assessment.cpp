@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiment/compare/test_assessment.h"
 
 #include <algorithm>

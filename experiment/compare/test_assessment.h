@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The verdicts of assertions and the values of metrics for an experiment's tests, and their sums

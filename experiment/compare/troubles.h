@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Failures of agents that explain the measures: dropped intentions, pedestrians that never acted,

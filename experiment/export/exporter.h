@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Stored tests as files that other programs read: the rows of exporters.def. To add one: write a

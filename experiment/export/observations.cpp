@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests as rows and as objects: CSV and JSON.
 
 #include <fmt/format.h>

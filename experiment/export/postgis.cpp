@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests in a PostGIS database, in a schema of their own: GDAL's ogr2ogr knows how, if it is there.
 
 #include <algorithm>

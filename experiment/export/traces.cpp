@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each test as a table that `jaywalk judge --trace` reads.
 
 #include "experiment/export/exporter.h"

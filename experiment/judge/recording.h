@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A test as it was seen: every actor at every tick, and what happened. Recorded while a test runs;

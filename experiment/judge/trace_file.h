@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Reads a recording from CSV, for drives that were recorded or simulated elsewhere. One row for

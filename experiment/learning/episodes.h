@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The choices of one test's agents and the rewards that followed, in the form that learners take.

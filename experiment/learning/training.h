@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Agents that learn: tests in generations, between which a policy learns from its agents' choices

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A fully connected layer and the optimiser of its weights; initial weights and Adam are those of

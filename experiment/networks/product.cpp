@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Both factors are copied to where the innermost loop reads them from end to end, then tiles of two
 // vector registers by four columns are computed (Goto and van de Geijn 2008, "Anatomy of
 // high-performance matrix multiplication"). Eigen does the same, but only with the registers that

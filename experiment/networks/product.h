@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Products of matrices, which is where training spends its time, and square roots, alike on every

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A source of random numbers of its own, for a search or a learner. One seed gives the same numbers

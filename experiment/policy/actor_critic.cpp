@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two small networks: the actor gives the probability of each option, the critic the expected
 // reward. The actor follows a clipped objective, with the advantage of a choice over the
 // expectation as Schulman et al. estimate it ("High-dimensional continuous control using

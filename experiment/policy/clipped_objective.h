@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The actor's loss: the clipped objective of Schulman et al. ("Proximal policy optimization

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Learners: they learn from agents' choices and give the probability of each option. A learner is a

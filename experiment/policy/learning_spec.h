@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The section `learning` of a scenario (docs/reference/scenarios.md): rewards, the learner and

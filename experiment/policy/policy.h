@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A policy file: what agents have learned, where and how (`jaywalk learn`). A behaviour's plans

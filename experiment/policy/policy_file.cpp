@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Policy files, JSON: the policy's origin, then the learned values of each part.
 
 #include <algorithm>

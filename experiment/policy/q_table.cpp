@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A table of each option's value, by bins of the features: Q(lambda) after Watkins ("Learning from
 // delayed rewards", 1989), in the forward view. Episodes are processed backwards. Real later
 // rewards count in part (Monte Carlo), but only while the choices after it were the best known

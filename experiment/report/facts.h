@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Data of single tests that a report needs beside their sums: which succeeded (to compare

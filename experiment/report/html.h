@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Self-contained pages, and their building blocks: numbers, tables, the styles of series.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Maps of agents' choices by a learned policy, by their place relative to the AV. Read report.h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The report: one self-contained HTML page, a section for each row of sections.def. A

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Coverage of the tests in a store: of situations from their recordings, of the agents' programs by

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A store's description of the experiment whose tests it holds: enough to run any of them again.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Stores made of stores: those of an experiment's shards together, whatever the order in which they

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Reads a store: its experiment, its tests and their recordings. Nothing is written. A reader

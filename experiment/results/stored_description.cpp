@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How an experiment's description is kept in a store's tables.
 
 #include <algorithm>

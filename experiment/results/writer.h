@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Writes the tests of an experiment into a store (docs/reference/store.md has its tables). Any

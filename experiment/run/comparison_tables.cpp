@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiment/run/comparison_tables.h"
 
 #include "experiment/results/reader.h"

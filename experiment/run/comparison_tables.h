@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Tables that are filled while the tests of a comparison run, beside the tests' results.

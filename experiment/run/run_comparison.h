@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A comparison as one call: runs every behaviour with every number of agents in seeded tests on

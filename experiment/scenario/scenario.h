@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A scenario: the world, the behaviours and the defaults of an experiment, as a YAML file says it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys `learning` (how agents learn) and `policy` (learned policies) of a scenario.
 
 #include <set>

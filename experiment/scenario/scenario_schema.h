@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The keys of a scenario: each layer (preset, file, option) is read into the same draft, in order.

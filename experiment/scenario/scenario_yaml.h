@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // YAML as scenarios use it: values with the places where they were written. The library that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The remarks of many tests for the authors of AVs' controllers (TestRun::notes): each text once,

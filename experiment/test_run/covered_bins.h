@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The bins of situations (judge/situations/situations.h) that earlier tests have covered, as the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Plan coverage of an experiment's tests. Tests may run on any threads and in any order: each

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A scenario made ready to run: its programs compiled, its worlds checked. Read scenario.h first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Which simulator moves the vehicles of a scenario's tests, for stores and reports.

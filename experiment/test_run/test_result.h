@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The result of one test: the values for the measures, and other outcomes to report, failures of

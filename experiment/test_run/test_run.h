@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // One test: a behaviour, some agents, a seed. A test is a pure function of the prepared scenario

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The automated vehicles (AVs) that the tests of an experiment are run with. Usually that is the

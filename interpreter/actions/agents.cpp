@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents that come and go; the yellow pages: which agent offers which service; the end of the run.
 
 #include <algorithm>

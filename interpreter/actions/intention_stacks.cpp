@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Intentions as terms: their state, and their stack of plans with the remaining formulas of each.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Goals and intentions: asked for, ended, suspended.
 
 #include <algorithm>

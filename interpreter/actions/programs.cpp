@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs read and written while an agent runs: `.include`, `.save_agent`.
 
 #include <fmt/format.h>

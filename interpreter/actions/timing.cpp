@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The time of day. Internal actions that wait for a time or an event, and those that make one.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "interpreter/actions/actions.h"
 #include "interpreter/term/compare.h"
 

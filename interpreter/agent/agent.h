@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A BDI agent: beliefs, plans and a circumstance, and the reasoning cycle that moves them. The

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `.clone`: an agent that begins as a copy of another.
 
 #include "interpreter/agent/agent.h"

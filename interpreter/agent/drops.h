@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Why an agent has dropped intentions: a formula failed, or a goal had no plan, and no plan was for

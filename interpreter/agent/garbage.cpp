@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The roots of garbage collection: every term that the agent's parts hold.
 
 #include <algorithm>

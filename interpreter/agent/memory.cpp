@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts an agent's memory. The size of terms is known at any time (term/heap.h); other memory is
 // noted when it is taken, never when it is freed, and counted anew after a cycle in which enough
 // was noted to make counting cheap in comparison. Formulas that need more of it ask first

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // An agent's additions to its program: plans made or changed at run time, the programs that it has

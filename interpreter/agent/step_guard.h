@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Turns the limits that a query or a term may hit into a failure of the step that hit them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The parts that an agent needs only while it reasons: the machine that answers its queries, and

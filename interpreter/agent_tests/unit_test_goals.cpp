@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "interpreter/agent_tests/unit_test_goals.h"
 
 namespace jaywalk {

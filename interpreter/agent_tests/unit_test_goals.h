@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The plans added to a program under test: the assertion goals of Jason's framework, mock agents,

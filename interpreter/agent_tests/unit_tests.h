@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Agents' own tests: plans for goals whose label is annotated with `test`. Each runs in a system of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Known names with a number of arguments that they do not have.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names that an included file asks for (`// jaywalk: asks NAME/ARITY`) and the program does not
 // define.
 

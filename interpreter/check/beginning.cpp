@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that never do anything, since no goal begins them.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Warnings about programs that parse but cannot be meant so: goals without plans, misspelt beliefs,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The input of every check of checks.def: the program, what is known of its names, and the

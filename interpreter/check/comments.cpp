@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comments for the checker that it cannot follow.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comparisons that cannot be meant: of different types, of constants, of a term with itself.
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names that mean nothing: goals without plans, queries that nothing answers, actions that are
 // none.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percepts that agents never have in the scenario of their program.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans and formulas that are never reached, failure plans of no goal, atomic plans that wait.
 
 #include <algorithm>

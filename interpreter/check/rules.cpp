@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules that can only answer by way of themselves.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Named variables that occur once in a plan or rule: misspelt, or better written `_X`.
 
 #include <map>

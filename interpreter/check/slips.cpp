@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Habits from other languages: a result as a value, a query as an action, an atom for a variable, a
 // variable for a name; also unknown performatives.
 

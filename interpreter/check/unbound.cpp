@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arithmetic and comparisons with variables that cannot have a value where they stand: a walk
 // through each plan and rule in the order in which it is carried out. What may bind, binds; so a
 // warning is certain, whatever the beliefs are.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The directives `{begin bdg(g)} ... {end}` and their kin: patterns of commitment to goals, which

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Texts and triggers that become plans while an agent runs (`.add_plan`); see term_reader.h for

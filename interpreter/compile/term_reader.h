@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Texts that become terms while an agent runs: `.term2string`, `.puts`, `.wait("+b(X)")`.

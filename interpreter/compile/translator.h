@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Syntax trees to terms: templates with slots for programs, or terms with variables for texts that

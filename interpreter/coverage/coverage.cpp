@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "interpreter/coverage/coverage.h"
 
 #include "interpreter/agent/agent.h"

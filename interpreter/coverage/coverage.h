@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Plan coverage: how often agents tried, chose and executed what their programs say. Counts are

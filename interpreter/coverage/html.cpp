@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coverage as a page: a table of the files, then each with its counts, coloured by lines. No script
 // and no network; it prints, and follows the reader's light or dark scheme.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coverage as a tracefile of LCOV, which tools for continuous integration read. The format is that
 // of geninfo(1): for each file its functions (plans), branches (outcomes of conditions) and lines.
 

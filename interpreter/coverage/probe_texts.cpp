@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the places of the probes' subjects in the programs' texts.
 
 #include <map>

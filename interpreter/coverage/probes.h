@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Probes observe a program as it runs: its plans, the conditions in contexts and rules, the

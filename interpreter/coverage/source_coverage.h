@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Coverage at the places in the source: what of each file's plans, rules, conditions and formulas

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "interpreter/embed/formula_text.h"
 
 #include "interpreter/agent/agent.h"

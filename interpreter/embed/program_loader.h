@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Programs that are loaded while a system runs (`.create_agent`, `.include`).

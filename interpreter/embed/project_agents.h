@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // From a Jason project to the programs that its agents run. What only Java can do is refused, or

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // One agent's percepts, look by look. An environment reports all of them in every look, but most

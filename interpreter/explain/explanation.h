@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Why an agent did something, or did not: each of its deliberations with the relevant and

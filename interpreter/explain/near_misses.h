@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Finds beliefs and plans that almost match a query or an event, a frequent error of programmers.

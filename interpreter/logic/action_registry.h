@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The definitions of internal actions and arithmetic functions, found by name. The standard ones

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The whole numbers from a first to a last by steps, one after another: what `.range` counts.

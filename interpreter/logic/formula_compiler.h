@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Formulas as terms to goals (code.h). Serves programs, whose terms hold slots, and formulas that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Memory for the frames of rules: blocks that never move, cut back as a stack.

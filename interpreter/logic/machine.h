@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Solves logical formulas: depth first, left to right, with an explicit stack, so that no recursion

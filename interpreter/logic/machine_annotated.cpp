@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries that are slower than those over bare literals: with annotations, where each subset of a
 // fact's annotations is an answer; variables, which stand for any belief or for a formula.
 

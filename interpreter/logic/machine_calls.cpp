@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machine's calls of C++ code: internal actions, in queries and in plan bodies, and arithmetic
 // functions.
 

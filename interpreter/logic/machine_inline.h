@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The inline parts of nearly every query and every trigger of a plan: the head, matched

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries over facts and rules: the arguments are made, and the candidates among the rows are tried
 // one after another.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules: which of them a query may be for, the head, matched with the arguments of the query step
 // by step (head_code.h), and the frame.
 

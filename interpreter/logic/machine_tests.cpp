@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Goals that hold or not, and leave no choice: comparison and unification; probes.
 
 #include "interpreter/logic/machine_inline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Replaces queries in contexts by rules. Asked as near(A), `near(X) :- at(Y) & X - Y < 3`

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The agents of a system by number and name, and which of them have something to do. Agents may

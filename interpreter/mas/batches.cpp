@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Steps in which each agent reasons for many cycles in a row, instead of one cycle in turn.
 //
 // Agents take turns so that each sees what the others have done up to now. Where all of them keep

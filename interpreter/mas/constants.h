@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The percepts that the environment declares constant and equal for all agents of a run, and the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Message delivery, from sender to recipients' mailboxes. Messages arrive when a round is over, in
 // the order in which they were sent. Until then their contents are in heaps of their own: an
 // agent's room in a round must not depend on the agents that reason before it.

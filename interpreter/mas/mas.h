@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A multi-agent system: agents, their messages, a clock and perhaps an environment. It runs in

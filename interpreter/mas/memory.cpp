@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The memory of all agents of a system together. Each agent's share is known after each of its
 // turns; the sum is taken when a round is over, so that an agent's room in the next round does not
 // depend on threads. The names that agents have made are counted then, too. Terms count once here:

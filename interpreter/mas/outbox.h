@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Requests to the system from agents that reason in parallel: lines to write, messages, timers, the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rounds in which agents reason in parallel, on several threads, with the same result as one
 // after another.
 //

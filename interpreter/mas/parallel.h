@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Distributes agents that reason in parallel to the threads (parallel.cpp).

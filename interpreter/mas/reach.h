@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Whether an agent can reason in parallel: only if what it does in a round cannot depend on what

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The steps of a run: ticks of an environment, or cycles of all active agents while virtual time
 // stands still; and what happens between them.
 

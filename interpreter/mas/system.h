@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The multi-agent system behind Mas (mas.h, read it first): the order in which things happen, and

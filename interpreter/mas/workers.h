@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Threads that work through a number of blocks together. They wait between two calls, at first

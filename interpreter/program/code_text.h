@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Compiled plans and rules as text, beside their source: `jaywalk check --dump-code`.

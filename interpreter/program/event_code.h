@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Heads of plans, and arguments of the formulas that make events, decoded when a plan is compiled:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Programs whose agents keep to themselves. Since it cannot be observed in which order such agents

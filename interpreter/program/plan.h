@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Compiled plans: triggers, contexts and bodies over one frame of slots, and the library in which

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Compiles plans and plan bodies as terms to code (plan.h), like formula_compiler.h for formulas.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A compiled AgentSpeak program: immutable, shared by every agent that runs it, on any thread.

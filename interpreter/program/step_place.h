@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The place of a formula in its program's text. A body as data keeps it as one number, the second

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Folders in which programs may read or write files. Paths of programs are resolved like the system

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // What the project's own readers of texts need beside the public diagnostics: suggestions for names

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Text of others within HTML, SVG and XML, on terminals and in shells, and which of it may be a

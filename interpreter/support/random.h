@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Sources of random numbers. Each agent, each test and each search has its own, whose seed derives

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Comments for the checker, `// jaywalk: WORD ITEMS`; several items are separated by commas.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Reads texts from the disk, or from copies that were kept of files, so that they can be read again

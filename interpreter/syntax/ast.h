@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The syntax tree of AgentSpeak programs, as written: nothing is resolved, renamed or desugared

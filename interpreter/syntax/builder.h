@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The semantic actions of the grammar (grammar.cpp): each method is one, and together they build

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The actions for bodies and what stands in braces; those for plans and programs are in
 // builder_plans.cpp, those for terms in builder.cpp.
 

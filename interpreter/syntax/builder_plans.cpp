@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The actions for plans and programs; those for bodies are in builder_bodies.cpp, those for terms
 // in builder.cpp.
 

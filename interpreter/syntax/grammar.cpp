@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The grammar of AgentSpeak, in Boost.Spirit X3 over tokens (token_parsers.h). Its actions put the
 // tree together in a Builder; there are no attributes. It decides by the next token (two for a
 // namespace) and then expects what must follow, so that it never goes back and every failure is an

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Text to tokens, by the longest match. The parser (grammar.cpp) reads a program as a sequence of

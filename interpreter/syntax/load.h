@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Reads an agent's program with everything that it includes, before it is checked and compiled.

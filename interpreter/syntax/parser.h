@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Text to syntax tree. The grammar (Boost.Spirit X3) is in grammar.cpp alone. Every parse collects

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How tightly the operators of expressions bind, for the parser and the printer.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Syntax tree to text, in Jason's notation: what is printed parses back to the same tree. Read

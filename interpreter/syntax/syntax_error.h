@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Makes a readable diagnostic of "the parser expected X at token N", and finds the place where the

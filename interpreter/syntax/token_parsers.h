@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The building blocks of the grammar (grammar.cpp): parsers in Boost.Spirit X3 that match tokens

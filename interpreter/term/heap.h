@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The memory of terms. A Heap is a bump allocator with a copying collector. Each agent has one; a

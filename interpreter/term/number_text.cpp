@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The texts of numbers, as Java writes them.
 
 #include <array>

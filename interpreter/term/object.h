@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Mutable collections that terms refer to: sets, maps and queues. They are shared by reference and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Programs as data are structures, too, as which they are unified with structures, taken apart by

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Interned names. A Symbol is a text; a Predicate is what Jason calls a predicate indicator:

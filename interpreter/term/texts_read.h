@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Texts that become names while agents reason. A name is never forgotten: how much all of them take

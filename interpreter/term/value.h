@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // What the engine assumes of Values (<jaywalk/value.h>), and a comparison without a look at cells.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Limits for walks through terms. Terms share parts and may contain themselves (X = f(X) is no

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Shared by evolutionary generators: genomes of a fixed length, their operators, and a genetic

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Roads of straight pieces and turns, and a simplified car that drives on them: what AmbieGen

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Failing roads as files that other programs read: OpenDRIVE with OpenSCENARIO, and the road JSON

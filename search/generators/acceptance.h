@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How OGAN and WOGAN choose among the candidates of their generator (Peltomäki et al. 2022,

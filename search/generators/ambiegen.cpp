@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // AmbieGen (Humeniuk, Khomh and Antoniol 2022, "A search-based framework for automatic generation
 // of testing environments for cyber-physical systems", and at the SBST 2022 tool competition):
 // NSGA-II evolves roads of straight pieces and turns towards roads that a simplified car leaves

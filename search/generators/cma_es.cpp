@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CMA-ES (Hansen 2016, "The CMA evolution strategy: a tutorial", arXiv 1604.00772, with the default
 // parameters of its table 1): a normal distribution whose mean and covariance follow the better
 // half of each generation. Begins anew somewhere else when it has converged or no longer improves.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Goes through the whole space of vectors, each point once, so that a point that it does not find
 // does not exist: all values of discrete dimensions, a raster of continuous ones. The order is
 // fixed, and spreads over the space from the first test on: a step is the golden section of all

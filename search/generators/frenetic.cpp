@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frenetic (Castellano, Cetinkaya, Ho Thanh, Klikovits, Zhang and Arcaini 2021, "Frenetic at the
 // SBST 2021 tool competition"): sequences of curvatures evolve. First random ones; then, over and
 // over, the best test that was not used yet is a parent: one that passed is mutated to explore, one

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plain genetic algorithm on the curvatures of a road: the baseline of Humeniuk and Khomh 2025
 // ("Representation improvement in latent space for search-based testing of autonomous robotic
 // systems", arXiv 2503.20642), after whose code the operators are.

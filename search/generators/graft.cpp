@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Our own. What makes a test fail is mostly local: a stretch of a few curvatures, approached fast.
 // Each failed sequence yields that stretch; new tests graft a stretch into fresh random
 // surroundings, so that they fail again but differ from each other everywhere else. How often a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MAP-Elites (Mouret and Clune 2015, "Illuminating search spaces by mapping elites", arXiv
 // 1504.04909): a map of what tests are like, and in each of its cells the worst test of that kind.
 // Elites of random cells are varied. The map's axes are those of the SBST tool competition's

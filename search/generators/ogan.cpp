@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OGAN (Porres, Rexha and Lafond 2021, "Online GANs for automatic performance testing"; with the
 // settings of the road experiments' code): a discriminator learns to predict fitness, a generator
 // to make tests that the discriminator takes for the worst. Both train after every test.

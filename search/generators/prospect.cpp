@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Our own. Its aim is not failing tests but failures that differ. A model learns from every test
 // how severe the place was that came out worst, from the curvatures before it (severity_model.h);
 // of many candidates, varied from what failed or nearly did, the next test is the one whose

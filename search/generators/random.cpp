@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Independent uniform vectors (Peltomäki et al. 2022, section 3.2, "Random"), as long as it takes
 // to find a valid one.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The baseline of generators that make sequences (`frenetic`, `graft`): independent random ones, as
 // long as theirs, without any feedback. Where the search space has vectors alone, it draws what
 // generators that learn begin with.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RILaST (Humeniuk and Khomh 2025, "Representation improvement in latent space for search-based
 // testing of autonomous robotic systems", arXiv 2503.20642): roads are first optimised for sharp
 // bends without executing them, an autoencoder learns what those have in common, and a genetic

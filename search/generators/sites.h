@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Places on roads (or points of vector spaces) as `prospect` compares them: the samples of its

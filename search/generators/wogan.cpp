@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // WOGAN (Peltomäki, Spencer and Porres 2022, "Wasserstein generative adversarial networks for
 // online test generation for cyber physical systems"): a Wasserstein generator learns the
 // distribution of the tests executed so far, biased towards those of high fitness; an analyzer

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The networks of the online adversarial generators: the one that makes tests from noise, the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A variational autoencoder (Kingma and Welling 2014, "Auto-encoding variational Bayes", arXiv

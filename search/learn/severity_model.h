@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Predicts the severity of a test from the executed ones: a Gaussian process over the features of

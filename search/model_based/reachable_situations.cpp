@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "search/model_based/reachable_situations.h"
 
 #include <algorithm>

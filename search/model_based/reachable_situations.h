@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Model-based generation: which situations tests of a scenario can meet at all, found breadth-first

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The results of searches as a self-contained HTML page: the paper's Table 1 and Figures 1 to 3

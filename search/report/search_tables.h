@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The results of searches as text, CSV and JSON. Read run_summary.h first.

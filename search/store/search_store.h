@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Searches in a GeoPackage, the file format of all results (experiment/results/): each finished

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pedestrians' world as a SUT: a scenario with a behaviour, some of whose values a search
 // chooses; measured are the metrics of the recorded test and, if asked for, assertions. So search,
 // random behaviour and BDI agents are compared on one footing.

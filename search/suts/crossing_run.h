@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Tests of the pedestrians' world as a search runs them: a scenario with values that a test input

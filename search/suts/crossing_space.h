@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The search space of the pedestrians' world: numbers and words of a scenario that a search may

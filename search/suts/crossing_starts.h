@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The key `starts` of the pedestrians' world as a SUT: where tests begin. Read crossing_space.h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A SUT that is a program of its own: it reads a road in one line of JSON and answers with the
 // outcome in another. Whatever it does wrong (it crashes, hangs, answers nonsense, answers another
 // test, says more than it was asked) costs the test alone; it is started anew for the next one.

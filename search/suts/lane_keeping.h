@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The built-in lane-keeping assistants as a SUT. Read env/lane/drive.h first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The search space of roads: what vectors and sequences stand for, and which of them are roads.

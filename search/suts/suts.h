@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Reads the SUT of an experiment, by the functions that each SUT's file defines for its row of the

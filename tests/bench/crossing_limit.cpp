@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The physical limit: the case study's proximity behaviour written by hand as one C++ loop, without
 // agents, beliefs and plans, beside the same tests run by the engine. Both begin with the same
 // cells and draw the same numbers, so each test must end alike; then their times can be compared.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of the engine by themselves, with Google Benchmark: parser, unifier, belief base,
 // cycle, percepts. Each counts what it gets done a second; bytes for the parser.
 

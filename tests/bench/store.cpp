@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast the results store takes what is observed: tests of 10 pedestrians and 12 ticks, all kept
 // at every tick, from as many threads as ask for it. The time is the process' CPU time, from the
 // first test to the closed file with its index; what a machine is busy with besides does not count.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The smallest environment in which percepts and actions can be observed: see README.md.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs every program in this folder and compares what comes of it with what its comments say.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every internal action and function is used by a program of this folder, outside its comments, and
 // actions/cases/ has its ordinary, boundary and failure case.
 

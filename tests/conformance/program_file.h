@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A conformance program: AgentSpeak whose comments say what must come of it (see README.md).

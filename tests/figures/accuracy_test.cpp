@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AgentSpeak programs meet the precondition as often as they exactly should: 2,000 tests of a
 // fixed seed, within the 99.9 % interval of a proportion.
 

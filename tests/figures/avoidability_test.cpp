@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Avoidable and unavoidable collisions: the judge of recorded tests and the AV model
 // `careful-competent` are the same driver, so they cannot disagree.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects in scenarios: the same tests with the healthy twin and with a defective AV.
 
 #include "env/vehicle/defects.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The preset `as-published-program` brings the paper's published figures out: accuracy, score and
 // ticks of all 48 rows lie within the 99.9 % interval of the difference of two runs
 // (experiment/compare/published/agreement.h). Without any of the program's quirks some row lies

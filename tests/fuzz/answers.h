@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Programs that answer lines with lines, as scripts of the shell: what controllers and systems

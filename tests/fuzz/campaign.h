@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Cases of a target, one after the other, in processes that may die of them. Read target.h first.

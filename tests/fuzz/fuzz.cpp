@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs at random, through the interpreter and the commands, under limits. See README.md.
 
 #include <cstdio>

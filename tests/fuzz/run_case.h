@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Carries out a case in this process, which may not survive it. Read target.h first.

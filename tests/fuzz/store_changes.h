@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // What strangers may have done to a store: other values, rows, tables, views and bytes. Read

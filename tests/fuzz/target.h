@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A fuzzing target makes cases, each a function of its number alone. targets.def has a row

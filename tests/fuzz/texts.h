@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The texts that cases begin with, and the ways in which they are spoilt. Read target.h first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loaded before a program starts (LD_PRELOAD), it disturbs the N-th write to a database: N is in
 // JAYWALK_WRITE. JAYWALK_THEN says how: KILL, TERM or HUP, a signal before it is written, or FULL,
 // a disk without room from then on. JAYWALK_WRITES names a file for how many writes there were.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Random terms and programs as text, for property tests and fuzzing. The same seed gives the same

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Suppressions for the leak sanitizer: memory that libraries keep until the process ends. Linked
 // into every program that uses one of them: `jaywalk`, `jaywalk-draw`, the unit tests of tools.
 

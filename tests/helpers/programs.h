@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Programs compiled from text, for the tests of compilers and of what a compiled program is.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loaded before a program starts (LD_PRELOAD), it stops every clock, so that two runs write the
 // same times. Used by tests/compare_outputs; the program's children have their clocks again.
 

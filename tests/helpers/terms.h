@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Terms, beliefs and queries from text, for the tests of what lies below agents.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pedestrians directed at an assertion exercise it more than others (F1).
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AgentSpeak programs against the specification in C++ (reference.h): every agent's every step.
 
 #include <set>

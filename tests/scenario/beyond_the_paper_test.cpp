@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The test bench beyond the paper's small world (case study, section 7): each scenario that shows a
 // feature is run, and the feature has an effect.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What tests cover: the agents' programs, situations, and feedback of these to later tests (F2).
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Documents about worlds and scenarios agree with them.
 
 #include <filesystem>

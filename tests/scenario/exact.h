@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The exact answers of the case study's small world, and how far from them chance may lead.

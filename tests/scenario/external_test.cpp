@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // External controllers: their views, the effect of their answers, how long they live.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole tests of the AgentSpeak programs, worked out by hand. The AV starts at 0 and drives 6 cells
 // a tick; tick t tests rows 2 to 5, cells 6t - 5 to 6t.
 

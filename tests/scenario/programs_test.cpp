@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // User-provided programs in a scenario: their errors are reported in the user's words.
 
 #include <filesystem>

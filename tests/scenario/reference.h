@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The behaviours of the case study once more, written down in C++ from the specification: what the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A test is a pure function of the scenario and its setup: the order of tests, the thread and
 // what ran before do not matter.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The case study's requirements on judging and logging (section 7): a scenario shows each.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The signals of recorded tests agree with what the world itself says of them.
 
 #include "experiment/judge/signals/signals.h"

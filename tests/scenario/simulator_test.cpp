@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulators that move the AV: the same tests as without where it drives alike, one test lost for
 // whatever a simulator does wrong.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Behaviours reckon in metres and seconds: they do the same whatever the length of a tick.
 
 #include <algorithm>

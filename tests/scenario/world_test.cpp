@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world alone gives the case study's exact answers when the specification's behaviours, in C++,
 // act in it. Then the AgentSpeak programs can be measured by the same world (behaviours_test.cpp).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The internal action that docs/internals/add_action.md adds works as the page says.
 
 #include <gmock/gmock.h>

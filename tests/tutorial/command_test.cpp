@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The subcommand that docs/internals/add_subcommand.md adds works as the page says.
 
 #include "tools/jaywalk/commands/command.h"

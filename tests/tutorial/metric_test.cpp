@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The metric that docs/internals/add_metric.md adds works as the page says.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The percept that docs/internals/add_percept.md adds is there as the page says.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world that docs/internals/add_world.md adds is there as the page says, and comparisons run in
 // it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command `jaywalk`: finds the subcommand, reads its arguments, carries it out.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Drawing with cairo: owners of its objects, and the few shapes that pictures need. Coordinates are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Moving pictures as GIF (CompuServe 1990, GIF89a), through giflib.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A recorded test as pictures: the road from left to right, all actors on it at one tick, and the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Actors other than the pedestrians under comparison.
 
 #include <fmt/format.h>

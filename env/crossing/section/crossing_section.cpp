@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The key `world` of a scenario in the crossing. Separate files read the ground (road_section.cpp)
 // and the actors (actors_section.cpp).
 

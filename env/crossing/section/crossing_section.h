@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A crossing world while a scenario's section is being read, and the base of the readers of its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Follows an elastic band that cuts corners, as BeamNG's AI does: curvature feed-forward with
 // preview plus feedback of the lateral and the heading error. Calibrated on roads executed in
 // BeamNG.tech (RILaST's data), see docs/reference/search_figures.md for how well it ranks roads

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pure pursuit (Coulter 1992, "Implementation of the pure pursuit path tracking algorithm") of the
 // lane's middle with a planned speed. Its numbers are set so that 2.6 % of uniform random roads
 // fail, as in Peltomäki et al. 2022.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Shared by controllers that steer along a path at a planned speed: the car's place beside the

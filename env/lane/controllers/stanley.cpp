@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The controller of Stanley, which won the DARPA Grand Challenge of 2005 (Hoffmann, Tomlin,
 // Montemerlo and Thrun 2007, "Autonomous automobile trajectory tracking for off-road driving",
 // equation 5): the heading error plus the angle whose tangent is the front axle's lateral error

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulator outside of this program, which speaks the simulator protocol, version 1: one line of
 // JSON for each question, one for each answer. docs/reference/simulator_protocol.md describes
 // it, and scenarios/simulators/protocol.schema.json every message.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "env/simulator/process/simulator_messages.h"
 
 #include <cmath>

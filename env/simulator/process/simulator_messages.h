@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The messages of Jaywalk in the simulator protocol, as JSON; the numbers of the question and of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The ground that SUMO simulates a test on: a network made from the bands, or a given map with the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The network that SUMO simulates on, made from a road's bands by `netconvert`: the lanes of one

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // SUMO as a process of ours, asked by TraCI, and the one that makes its networks. Both are of the

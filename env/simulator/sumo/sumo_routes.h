@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The vehicles and persons of a test as SUMO reads them: a file of routes.

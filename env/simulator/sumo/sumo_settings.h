@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The scenario's settings for SUMO under `world.simulator`; the table of keys is in the .cpp file.

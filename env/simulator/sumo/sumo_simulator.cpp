@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SUMO as a simulator: it moves the AV and the traffic, on a map of its own. Pedestrians are put
 // where they are in every step, in a walking stage and wherever they like (keepRoute 6), which is
 // what makes SUMO's vehicles brake for them. A vehicle's position is the middle of its front

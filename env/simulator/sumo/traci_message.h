@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The wire format of TraCI, by which SUMO is driven (sumo.dlr.de/docs/TraCI/Protocol.html). A

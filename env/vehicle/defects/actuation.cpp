@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects of actuation: decisions are carried out late, weaker or gradually.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects of decision: wrong accelerations for a correct view.
 
 #include <algorithm>

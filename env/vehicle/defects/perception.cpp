@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects of perception: an actor is not seen, or seen late or elsewhere.
 
 #include <algorithm>

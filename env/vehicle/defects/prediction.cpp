@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defects of prediction: a seen actor is expected elsewhere.
 
 #include <algorithm>

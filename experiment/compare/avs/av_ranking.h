@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Compares models of an automated vehicle (AV): every test is run with each of them, and they rank

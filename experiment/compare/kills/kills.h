@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The kill matrix: which behaviours expose which defects of an automated vehicle (AV). A test kills

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The kill matrix as CSV, as `--kills` writes it, and such files read again: kills that were

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Which of the cheap measures (accuracy, score, …) predicts what kills: their rank correlations

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The distribution of values, as a box plot shows it, in bounded memory for any number of values.

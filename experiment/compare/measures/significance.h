@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Whether two behaviours differ by more than chance, and by how much: tests of hypotheses, sizes of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The few statistics that the measures need: a sample's mean and spread, and 95 % intervals.

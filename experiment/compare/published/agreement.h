@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How well the published figures agree with ours. Both are estimates of 1,000 tests or so: they

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The figures of the paper that the case study repeats, to be shown beside ours. They are data

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The courses of a recorded test's actors for a player of scenarios, which moves all actors at the

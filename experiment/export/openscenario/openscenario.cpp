@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests as ASAM OpenSCENARIO XML. Only what is valid in all of 1.0 to 1.3 is written, with 1.0 in
 // the header, since some players refuse other minors; the parameter values of a batch came
 // with 1.1. For each test:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // One test as an OpenSCENARIO document: entities, their starts and actions, the end of the test.

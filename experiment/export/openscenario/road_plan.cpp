@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bands become lanes of one straight road. A map's junctions (its letters x) cut that road, and
 // what its columns begin with is a side road there, as what its rows begin with is the AV's.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The ground of a crossing world as roads, junctions, objects and signals, as OpenDRIVE has them;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Assertions: requirements on the vehicle under test, the preconditions under which they apply, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Discrete-time signal temporal logic (STL) over logged signals, as people write it in assertions:

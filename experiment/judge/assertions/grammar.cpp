@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The grammar of assertions' expressions, in Boost.Spirit X3 over characters. Its actions put nodes
 // on a stack in a Builder; there are no attributes. It decides by the next character or word and
 // then expects what must follow, so that it never goes back and every failure is an error.

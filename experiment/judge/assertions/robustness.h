@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The meaning of an expression over a test: at each tick, whether it holds and by how much. Read

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Encroachment and post-encroachment time. The conflict area is where the ways of both cross: for
 // the road user the area that the AV's box covers during the test (its swath), for the AV the area
 // that the road user's box covers while it touches that swath. Each such visit counts by itself.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The least or greatest value of a signal, with its tick: what many metrics are.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The metrics of one test, the rows of metrics.def: each gives a value with its tick and the road

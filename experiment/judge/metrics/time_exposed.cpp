@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long, and how deep, the time to collision stayed below a threshold.
 
 #include "experiment/judge/metrics/extremes.h"

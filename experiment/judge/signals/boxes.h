@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Boxes in motion: when two convex polygons touch, and how close they come. Motion is translation

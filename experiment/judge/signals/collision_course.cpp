@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signals of a collision if both kept their velocities, and of the braking that would avoid it.
 
 #include <algorithm>

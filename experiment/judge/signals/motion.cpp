@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signals of time, place, speed and acceleration.
 
 #include <algorithm>

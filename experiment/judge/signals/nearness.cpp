@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How close the AV and a road user come, and whether they touch.
 
 #include <limits>

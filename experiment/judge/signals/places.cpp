@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signals of being in a lane, and in the paper's precondition zone.
 
 #include <algorithm>

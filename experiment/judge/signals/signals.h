@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The signals of a test: quantities with a value at each of its ticks, the rows of signals.def.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions that compute the items of situations.def.
 
 #include <algorithm>

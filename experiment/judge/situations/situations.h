@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Situation coverage: which of the situations worth testing the tests have met. The items and their

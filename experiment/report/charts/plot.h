@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Curves, box plots and stacked bars as SVG of one width, which fits a narrow screen unscaled.

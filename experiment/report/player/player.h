@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A page that plays a test: it draws every tick and shows an agent's beliefs and intentions. The

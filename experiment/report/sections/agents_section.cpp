@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The section of failures: tests that ended errored, dropped intentions, pedestrians that never
 // acted.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How models of the AV rank.
 
 #include <fmt/format.h>

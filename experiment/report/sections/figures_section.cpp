@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The measures, each against the number of agents, and the same numbers as a table; in the paper's
 // world beside the published values.
 

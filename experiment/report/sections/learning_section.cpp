@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The section of learning: the progress of policies, their choices at each place before the AV, and
 // the results of other behaviours in the same tests.
 

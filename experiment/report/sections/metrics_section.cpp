@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How each metric is spread, by behaviour.
 
 #include <algorithm>

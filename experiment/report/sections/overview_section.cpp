@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The section with the experiment and its main results in a few lines.
 
 #include <fmt/format.h>

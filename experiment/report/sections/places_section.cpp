@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The section with the places on the road where agents met the precondition.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The section of selected tests: a picture of all actors' ways, and a link to the page that plays
 // the test.
 

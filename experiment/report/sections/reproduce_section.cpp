@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How to get the same results again: command, seed, versions, hashes of every input.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which behaviours differ by more than chance, and by how much. Tests of the same number start
 // alike whatever the behaviour, so successes are compared test by test.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which situations the tests have covered, and how that grew.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The section about assertions: verdicts, robustness, and the tests that violate them most.
 
 #include <algorithm>

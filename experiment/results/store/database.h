@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // SQLite as the store uses it: connections and statements that close themselves. The first failure

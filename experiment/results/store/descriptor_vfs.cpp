@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiment/results/store/descriptor_vfs.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Lets SQLite work on a file that has no name: one that is open already, known by its descriptor.

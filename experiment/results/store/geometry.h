@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Where a store's points lie, and points and lines as a GeoPackage stores them: a header without

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The tables of every store: those of a GeoPackage (OGC 12-128, version 1.3), which is a SQLite

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Turns the records of tests into rows, and keeps such rows for later. One thread at a time.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The tables of a results store beside those of every store (geopackage.h); docs/reference/store.md

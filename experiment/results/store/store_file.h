@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Opens a store only after it was seen to be one: a foreign or damaged file is distinguished from a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The names of files as stores and pages keep them. Absolute paths are shortened to the part that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Files of programs to start processes from, made from kept copies of their texts: a stored test

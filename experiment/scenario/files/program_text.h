@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The text of a program: its digest, and its length, a measure of the effort to write a behaviour

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Temporary files and folders. Their names cannot be predicted and no existing file is opened, so

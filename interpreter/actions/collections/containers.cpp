@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sets, maps and queues.
 
 #include "interpreter/actions/collections/collections.h"

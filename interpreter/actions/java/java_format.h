@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Java's String.format, as far as `.printf` needs it: numbers are doubles, everything else is text.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Regular expressions in Java's syntax, matched by PCRE2. What PCRE2 reads otherwise than Java is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Texts as Java sees them. Ours are UTF-8; where a program can count characters or name one by its

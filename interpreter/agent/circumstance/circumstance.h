@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // An agent's circumstance, in the words of Jason's operational semantics: events (E), intentions

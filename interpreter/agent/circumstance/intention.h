@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Intentions: stacks of intended means. All frames of an intention stand in one vector:

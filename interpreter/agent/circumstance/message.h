@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Messages between agents. Names are numbers as far as they can be: texts are made where a plan

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reasoning cycle. The functions stand in the order of Jason's semantic rules (Bordini,
 // Huebner, Wooldridge 2007, ch. 10) and bear their names; where Jason's interpreter differs from
 // the book, it is Jason that is followed:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How events come about: most pass through E, that of the formula which is being executed mostly
 // does not.
 

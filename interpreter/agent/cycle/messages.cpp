@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages as far as they are not handled by plans, and texts about events and plans.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Perception: belief update (logic/beliefs/belief_update.cpp) and its events, first those of
 // percepts that are gone, then those of new ones. Where no plan could handle such an event, none is
 // made, and a percept that has only changed its arguments is overwritten.

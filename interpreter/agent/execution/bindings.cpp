@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Saves, restores and copies frames and variables: the bindings of a loop's round are undone before
 // the next, and a fork gives each branch a copy of the whole stack.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Handles external changes of belief by sub-plans of goals being pursued (AgentSpeak(ER)). As in
 // Jason, a branch handles them: an intention with a copy of the goal's stack, so that a failure
 // looks for handlers there. When the sub-plan is done, so is the branch; when the failure of one of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formulas that change beliefs: `+b`, `-b`, `-+b` and their kin.
 
 #include "interpreter/agent/agent.h"

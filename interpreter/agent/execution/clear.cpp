@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rule ClrInt: removes finished means and returns their values.
 
 #include "interpreter/agent/agent.h"

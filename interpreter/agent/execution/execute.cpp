@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rule ExecInt: one formula of one intention. Every kind of formula has its function; each ends in
 // one of three ways: go_on (the formula is done), fail, or the intention waits for an event, an
 // action's feedback or a resumption.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rule ExecInt for a variable: a formula, or a whole body, that is known at run time only.
 
 #include "interpreter/agent/agent.h"

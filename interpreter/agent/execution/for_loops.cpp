@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rule ExecInt for `for`. The condition is solved as the rounds need solutions: each conjunct is a
 // level with all solutions of it together with the conjuncts before. So later conjuncts of later
 // rounds see a round's changes of belief, as in Jason. A conjunct that might have endlessly many

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The literals of formulas that make events, `!g(X+1)`, `+b`: their arguments, and the variables in
 // which results come back. The usual ones are operands, decoded when the plan was compiled
 // (program/event_code.h); the unifier makes the others.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The arguments of formulas that make events, `!g(X+1)`, `+b`, where they are decoded.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "interpreter/agent/execution/step_texts.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What happens when a formula fails or a goal has no plan: Jason looks from the top of the stack
 // downwards for a goal that has a plan for its failure, `-!g`, and posts that event on the same
 // intention; the failed means stay below until that plan is done. Without one the intention is

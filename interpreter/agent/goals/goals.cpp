@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Goals as wholes: looked for, suspended, ended from outside, with all the means that serve them;
 // goal conditions of AgentSpeak(ER).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Goals as wholes: looked for, suspended and ended from outside, with all the means that serve

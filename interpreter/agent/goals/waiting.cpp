@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Intentions that wait: for time, for an event, for a formula to hold (`.wait`); tasks that are put
 // off to the beginning of the next deliberation; the states of goals.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Intentions that wait: for time, for an event, for a formula to hold; and work that is deferred to

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rule AddIM: the plan that was chosen becomes an intended means, a new intention for an external
 // event, else on top of the intention that waits for the event (add_intended_means in
 // choose_plan.cpp). This file has the rare cases.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules RelPl, ApplPl, SelAppl and AddIM: which plan is for an event, and its means. Heads are
 // matched with the event's arguments as those of rules with a query's (logic/code/head_code.h);
 // triggers that are variables, or have annotations, by the unifier with the event's literal.

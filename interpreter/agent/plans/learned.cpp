@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rule SelAppl where plans are options of a policy (learned_choice.h).
 
 #include <array>

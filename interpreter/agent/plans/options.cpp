@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules RelPl, ApplPl and SelAppl one by one, for agents that choose among their options by rules
 // `select__option(Trigger, Intention, Plan, Unifier)`.
 

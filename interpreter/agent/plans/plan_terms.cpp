@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans and rules as data: an agent's plans as terms, and terms as plans.
 
 #include <algorithm>

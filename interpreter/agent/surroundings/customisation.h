@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Customises an agent by the functions that Jason lets an agent class override. Each is optional;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The services that an agent needs from its system. Implemented by the multi-agent system

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Choices that are learned. Plans that are labelled `@go[learned(step)]` are options of the policy

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The yellow pages, Jason's directory facilitator: which agent offers which service, and which

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How a project wants an agent to reason: the options of `.mas2j` that have a meaning here.

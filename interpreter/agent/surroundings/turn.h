@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The tools and outputs of an agent during its turn. Agents that have their turns one after another

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Which atoms stand as arguments of beliefs, goals and actions, and which arguments exchange values

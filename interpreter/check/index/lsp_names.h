@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The uses of names in a program with their roles, for editors: definitions, references, renaming

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The names that all files of a program together define, post and believe; the checker (check.h)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Visits every node below one, in the order of the text: arguments, annotations, tails, namespaces,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A file's uses of names, by their roles; the checks go through these lists instead of walking the

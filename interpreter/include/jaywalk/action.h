@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Internal actions and functions that a program which embeds the interpreter adds to the language.

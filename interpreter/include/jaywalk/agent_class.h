@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Customises agents by the functions that Jason lets an agent class override: they choose events,

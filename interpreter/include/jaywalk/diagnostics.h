@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Errors and warnings about the user's input: collected, not thrown, and rendered as

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The world as the interpreter sees it. An environment is asked what each agent perceives, is given

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The interpreter within another program: load agents, run them, query them and send them messages.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Looks at agents as they reason. Derive from Observer, override what is of interest, and give it

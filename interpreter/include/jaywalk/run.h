@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The options of a run of agents, and how it ended. A run goes on in ticks; within a tick

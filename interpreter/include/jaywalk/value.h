@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Terms of the language as C++ values. A Value is a number, an atom, the empty list, or a reference

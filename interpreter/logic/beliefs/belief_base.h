@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // An agent's beliefs, in Jason's observable order: one Relation for each predicate indicator.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Belief update, Jason's buf. Every percept is a row that bears the number of the update that last
 // saw it, its generation. There are two ways to bring the percepts up to date:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The percepts that every agent has in every look, all agents the same (Environment::constants):

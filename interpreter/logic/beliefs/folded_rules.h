@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Rules whose answers do not change during a run, since they ask nothing but constant percepts and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // An agent's beliefs of one predicate: facts and rules, in Jason's observable order.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of a belief base that the next agent reuses: relations with room for rows.
 
 #include "interpreter/logic/beliefs/belief_base.h"

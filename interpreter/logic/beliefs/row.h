@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A row of a relation: a fact or a rule, and the data that queries look at first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Which rows of a relation have a given key, newest first. The rows of one key form a chain: each

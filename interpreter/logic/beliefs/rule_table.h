@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Which rules of a relation may match a query. Where a predicate is defined by a few rules alone,

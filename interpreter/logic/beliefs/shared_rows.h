@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The initial beliefs of one predicate that a program's agents share, or the constant percepts of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Compiled logical formulas: goals linked to the goal that follows. Terms in goals are templates

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The head of a rule or a plan, compiled to steps. Matching a head with the arguments of a query or

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Comparisons of numbers that are known, in line: most tests of a program are of this kind.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Operands decoded when a formula is compiled: constants, variables, `N-1`, `X + V`. What is of

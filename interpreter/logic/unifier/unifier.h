@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Unification and application of unifiers (Jason's `unifies` and `capply`). Bindings are written

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Application of unifiers (Jason's `capply`): terms with values in place of variables and slots,
 // and their copies with fresh variables.
 

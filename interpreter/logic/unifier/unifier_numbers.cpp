@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates arithmetic expressions under a unifier.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // `Term =.. List`: a literal as namespace, functor, arguments and annotations; a plan as label,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A hash table from numbers to small numbers in one block of memory: keys that collide stand in the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A stack of small values in one block of memory, which doubles when it is full. How many there are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // An open-addressing hash table from hashes to row numbers, in one block of memory with eight bytes

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A queue in one block of memory, which doubles when it is full. An empty one that was never used

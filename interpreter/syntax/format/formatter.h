@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The canonical layout of a program's text. It works on tokens and comments, not on the syntax

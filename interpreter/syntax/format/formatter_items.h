@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The input of the formatter: a program's tokens and comments, and the blanks and line breaks

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The project file, `.mas2j`: which agents a multi-agent system consists of.

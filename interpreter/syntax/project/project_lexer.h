@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words of a project file (.mas2j), as Jason's MAS2JParser.jcc reads them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files of assertions with odd values and runs of each other's tokens in their expressions.
 
 #include "tests/fuzz/target.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tables of drives from elsewhere, with odd values and rows that are missing or doubled.
 
 #include "tests/fuzz/target.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What editors send, in another order, with other values, and between frames that are none.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that were generated or are of the corpus, with some bytes changed.
 
 #include "tests/fuzz/target.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projects with odd values, doubled parts and runs of each other's tokens.
 
 #include "tests/fuzz/target.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines for the REPL, of its sessions and of programs.
 
 #include "tests/fuzz/target.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenarios with odd values: read by `check`; what is still one is run for some ticks.
 
 #include "tests/fuzz/target.h"

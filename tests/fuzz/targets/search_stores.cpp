@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stores of searches that were changed.
 #include "tests/fuzz/store_changes.h"
 #include "tests/fuzz/target.h"

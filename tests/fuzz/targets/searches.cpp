@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Experiments of searches with odd values; what is still one searches for a few tests.
 
 #include "tests/fuzz/target.h"

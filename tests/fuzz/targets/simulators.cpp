@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulator whose answers are spoilt.
 
 #include "tests/fuzz/answers.h"

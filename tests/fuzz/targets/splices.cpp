@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The project's own programs with runs of each other's tokens: most of what comes out compiles.
 
 #include "tests/fuzz/target.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results stores that were changed, for every command that reads them.
 
 #include "tests/fuzz/store_changes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An external system under test whose answers are spoilt.
 
 #include "tests/fuzz/answers.h"

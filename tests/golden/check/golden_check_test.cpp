@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact diagnostics of the faulty programs in this folder's: NAME.asl → NAME.expected. With
 // UPDATE_GOLDEN=1 the expected files are rewritten, for review by their difference.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random boxes on random ways: they touch if and only if their smallest distance is 0.
 
 #include <numbers>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random expressions over random traces: the evaluator agrees with the definitions, carried out
 // word for word by quantifiers over ticks, in the robustness and in whether the condition holds.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A model of a belief base: a plain list of ground literals, newest first, with the rules of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs random statements about beliefs and compares the remaining beliefs, the values of variables
 // and the events with those of a plain list (belief_list.h). Patterns are made from beliefs by
 // replacing parts with variables.

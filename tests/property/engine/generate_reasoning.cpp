@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/property/engine/generate_reasoning.h"
 
 #include <span>

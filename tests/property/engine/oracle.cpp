@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // jaywalk_oracle FIRST COUNT: random programs run alike however they are run: observed or not,
 // cycle by cycle, on 1, 2 or 8 threads, in a world that says which percepts are constant or in one
 // that does not. What is printed and logged, the cycles and the beliefs in the end are the same,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The belief base against the simplest thing that could do the same: a list of texts.
 
 #include <algorithm>

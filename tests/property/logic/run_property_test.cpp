@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of whole runs, over generated programs.
 
 #include <string>

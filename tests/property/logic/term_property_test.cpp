@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of terms, over generated ones. A failure names its seed.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every gradient that the networks train by agrees with finite differences, for many random
 // networks and inputs.
 

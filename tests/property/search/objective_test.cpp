@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The gradient that an actor follows is that of the clipped objective, within and beyond the clip.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Products, roots and what Adam makes of them are what the definition says, bit for bit: so they
 // are the same on every processor.
 

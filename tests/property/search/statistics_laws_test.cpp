@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of the statistics of searches, and of NSGA-II's ranks, against what is counted by brute
 // force.
 

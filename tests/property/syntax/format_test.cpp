@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The formatter changes nothing but blanks, and nothing the second time.
 
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Random syntax trees, such as the parser could make. The same seed gives the same trees.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's figures stand beside what they are of: the published world and parameters, and the
 // programs of agents/crossing.
 

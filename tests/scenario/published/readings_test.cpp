@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the sources of the case study disagree, each reading can be chosen, and it matters.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many arguments each internal action takes, how a call with another number fails, and that a
 // call with arguments of the wrong kinds at most fails its plan.
 

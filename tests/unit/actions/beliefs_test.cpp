@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .findall .setof .count .eval .abolish .asserta .assertz .belief .relevant_rules .list_rules
 // .namespace*
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .set.* .map.* .queue.*
 
 #include <gmock/gmock.h>

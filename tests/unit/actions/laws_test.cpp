@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of the actions for lists, strings, sets, maps and queues, tried with lists at random.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .member .length .empty .nth .reverse .sort .shuffle .max .min .union .intersection .difference
 // .range .prefix .suffix .sublist .random
 

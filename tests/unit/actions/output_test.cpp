@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .print .println .printf .puts .log .print_unifier
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .concat .delete .substring .replace .lower_case .upper_case .term2string
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // .time .date .nano_time .version .list_files
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An intention that is alone goes on into the next cycle, and its event does not pass through E
 // (agent/cycle/cycle.cpp): the cycles are the same. Where each step is one cycle, nothing goes on,
 // so each program runs in such steps, too, and once with an observer.

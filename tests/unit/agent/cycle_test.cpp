@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reasoning cycle, step by step: what one cycle does, and what it leaves for the next.
 // tests/conformance has the results of whole programs.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An agent's record of the intentions that it dropped, and their log lines.
 
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formulas that cannot be executed fail with an error that a plan can read.
 
 #include <string>

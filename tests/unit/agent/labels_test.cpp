@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Labels of plans whose annotations have variables.
 
 #include <string>

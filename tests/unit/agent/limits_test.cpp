@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs without end and without bound: each ends in a clear way, and harms nothing else.
 
 #include <string>

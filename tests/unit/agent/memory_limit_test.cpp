@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All that an agent owns counts against its memory, not terms alone.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents that run for long need no more memory than those that run for short.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Actions on goals that are still events: no plan has been chosen for them yet, since an atomic
 // plan goes first.
 

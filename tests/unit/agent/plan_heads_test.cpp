@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triggers of plans are matched with the arguments of a goal. The goal can be rebuilt from the
 // plan's variables afterwards.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What included files ask the including program to define, and checks that look across includes.
 
 #include <gtest/gtest.h>

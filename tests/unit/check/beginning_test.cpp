@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that no goal begins.
 
 #include <gtest/gtest.h>

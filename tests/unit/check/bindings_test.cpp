@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Variables: those that occur once, and those that have no value where one is needed.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions that say nothing, and rules that cannot answer.
 
 #include <gtest/gtest.h>

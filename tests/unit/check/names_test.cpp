@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What editors ask for: where a program uses which name, and as what.
 
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percepts that a scenario does not give.
 
 #include <gtest/gtest.h>

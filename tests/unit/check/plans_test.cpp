@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans that are never chosen, never end or handle no failure.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Atoms in arguments that are almost those that stand there otherwise.
 
 #include <gtest/gtest.h>

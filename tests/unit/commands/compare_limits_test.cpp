@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `jaywalk compare` refuses once it knows the scenario: what cannot be run, or would say
 // nothing. Nothing is run or written then.
 

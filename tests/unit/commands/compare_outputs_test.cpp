@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `jaywalk compare` prints and writes, in which form; and that a store in between changes
 // nothing of it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What holds for every command: its help can be read, and wrong words end it before it does
 // anything.
 

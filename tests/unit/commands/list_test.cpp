@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk list`: what it prints are the tables' rows, each once and in their order, in lines that
 // fit into a terminal.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Commands about programs: check, fmt, run, test.
 
 #include <gmock/gmock.h>

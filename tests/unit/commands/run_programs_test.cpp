@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk run` of an agent or a project: its limits, its exit codes, what agents may read and
 // write.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Commands about scenarios and the stores of their tests: compare, merge, coverage, explain,
 // export, judge, replay, report.
 

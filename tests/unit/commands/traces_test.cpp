@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `run --trace`: what a run leaves in its file, line by line.
 
 #include <set>

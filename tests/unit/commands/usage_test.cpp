@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Options of compare, learn and search that make no sense together, or not with the scenario.
 
 #include <gmock/gmock.h>

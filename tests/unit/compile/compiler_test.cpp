@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From source trees to programs: beliefs, goals, plans and their labels.
 
 #include "interpreter/compile/compiler.h"

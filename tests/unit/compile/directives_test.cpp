@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Directives of programs: includes, namespaces, functions, and unknown ones.
 
 #include <gmock/gmock.h>

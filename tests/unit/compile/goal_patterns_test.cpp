@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plans that patterns of commitment stand for, as the paper of Huebner, Bordini and Wooldridge
 // (2006) and Jason's directives have them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every agent has the plans for messages: they come after its own and cannot be replaced by labels.
 
 #include "interpreter/compile/kqml_plans.h"

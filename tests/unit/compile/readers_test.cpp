@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts that become terms and plans while an agent runs.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Syntax trees to terms: variables, namespaces, operators, bodies.
 
 #include "interpreter/compile/translator.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules unfolded into contexts: an agent behaves as if it queried them.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hints of explanations: which near miss is named where there are several, and where there is
 // nothing to hint at.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several observers that stand where one is expected.
 
 #include <gmock/gmock.h>

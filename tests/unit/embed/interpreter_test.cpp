@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interpreter within another program.
 
 #include <gmock/gmock.h>

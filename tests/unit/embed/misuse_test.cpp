@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whatever is asked of agents that are gone or never were, and whatever programs do: the program
 // that embeds goes on.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that are loaded while a system runs.
 
 #include "interpreter/embed/program_loader.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of scenarios and what is said of wrong ones.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world alone, driven action by action, against tests worked out by hand. In all of them the
 // AV starts at cell 0 and drives 6 cells a tick; the zone of tick t is rows 2 to 5, cells 6t - 5 to
 // 6t.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each defect in a scene that was built for it, where the healthy twin keeps clear of all
 // pedestrians and the defective one hits one, and in one where it has no reason to act.
 

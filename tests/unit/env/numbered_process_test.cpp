@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A program that says more than it was asked, or answers something else, is found out, so that no
 // answer is taken for another question's.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The road users of a crossing's ground, and how far they move.
 
 #include "env/crossing/road_user.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulator's valid answers, and the errors about invalid ones.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The crossing's side of a simulator: the messages to it, and the effect of its answers.
 
 #include "env/simulator/simulator.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What SUMO is given, and which settings it takes; SUMO itself is not started.
 
 #include "env/simulator/sumo/sumo_network.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A street of two lanes, one for each direction, between pavements; and settings that are text.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The TraCI client's requests and the answers that it waits for; a thread plays the server.
 
 #include "env/simulator/sumo/traci_client.h"

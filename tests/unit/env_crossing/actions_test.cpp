@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each action of percepts.def: what it does, and why it fails.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Agents of the crossing world, their percepts as text, and the results of their actions.

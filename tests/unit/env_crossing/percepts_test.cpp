@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each percept of percepts.def: what it says and when. The rows of the case study are 0 and 1
 // pavement, 2 to 5 the AV's lane, 6 to 9 the other one, 10 and 11 pavement.
 

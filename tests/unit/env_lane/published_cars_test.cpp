@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cars that papers drove, on thousands of roads.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What holds of every road: however it is drawn, its lines have as many points, its borders lie
 // where the competition's do, and it does not change with where it lies.
 

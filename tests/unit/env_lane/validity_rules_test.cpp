@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each rule of the competition by itself, at its edge, and which of two broken ones is named.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws of the car under any commands: it behaves alike to either side and in every direction, no
 // quicker than its actuators, no harder than its tyres and its engine.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A motorway with vehicles at given places, for the tests of this folder.

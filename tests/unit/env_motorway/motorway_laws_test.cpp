@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What holds on the motorway whatever drivers do: they act by chance, and each tick is looked at.
 
 #include <algorithm>

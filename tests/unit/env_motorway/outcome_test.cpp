@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results of tests on the motorway: how they end, which agents they credit, their costs; and laws
 // that hold of every drive.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The key `world` of a scenario on the motorway.
 
 #include <memory>

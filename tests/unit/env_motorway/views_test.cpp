@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Views of the motorway: by agents, by recordings (actors, scene, events), by the AV.
 
 #include <cmath>

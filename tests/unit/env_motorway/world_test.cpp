@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The motorway as what is the same in all tests: its ground, its plan, its names, its variants.
 
 #include "env/motorway/world.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages to a custom simulator, and files in memory for simulators that read files.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "env/simulator/sumo/sumo_settings.h"
 
 #include <map>

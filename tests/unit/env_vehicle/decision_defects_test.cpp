@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A vehicle's answers under defects of decision and of actuation.
 
 #include <gmock/gmock.h>

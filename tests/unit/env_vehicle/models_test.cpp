@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Single decisions of the models of vehicles, worked out by hand.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A vehicle's view with a defect of perception.
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a vehicle with a defect of prediction expects whom it sees.
 
 #include <gmock/gmock.h>

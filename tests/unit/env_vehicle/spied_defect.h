@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A defect on a controller that records its views and gives fixed answers, so that tests see the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the models of automated vehicles drive, each on a straight road with one pedestrian.
 
 #include "env/vehicle/vehicle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What holds of statistics and kills whatever the numbers are: against counting by hand and brute
 // force.
 

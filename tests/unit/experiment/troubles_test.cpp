@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Summaries of agents that dropped intentions or never acted.
 
 #include "experiment/compare/troubles.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions of --fail-on about assertions: `recovery.fail>0`.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that are no stores, or not whole ones: a clear message, and not a byte of them is changed.
 
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/experiment_results/experiment_runs.h"
 
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Small experiments for stores to hold: the case study's world with few tests, in a folder of their

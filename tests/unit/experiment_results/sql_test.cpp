@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A store says the same in SQL as its recordings do.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files that stores are made of and from: new ones, copies, merged and extended ones.
 
 #include <filesystem>

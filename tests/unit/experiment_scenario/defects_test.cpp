@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys world.av.defect and world.av.twin.
 
 #include "env/vehicle/defects.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The errors about mistakes in a scenario.
 
 #include <ostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of scenarios as docs/reference/scenarios.md has them, against what is read.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which automated vehicles the tests of an experiment are run with.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiment/export/openscenario/openscenario_text.h"
 
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Agents that choose by a policy of two parts, `step` with the options go and stay, and `turn` with

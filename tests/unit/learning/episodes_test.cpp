@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which choice a reward counts for, and how much.
 
 #include "experiment/learning/episodes.h"

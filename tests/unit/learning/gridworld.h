@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A textbook problem: four by four cells, four moves, a reward of -1 for each, an end in two

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What learners learn, by a problem that can be solved exactly.
 
 #include <algorithm>

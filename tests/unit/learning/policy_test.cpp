@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Policies and their files.
 
 #include "experiment/policy/policy.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What ticks and ends of tests bring their agents, as `learning.reward` says it.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents that learn from tests of a small world.
 
 #include "experiment/learning/training.h"

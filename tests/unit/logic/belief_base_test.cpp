@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "interpreter/logic/beliefs/belief_base.h"
 
 #include <string>

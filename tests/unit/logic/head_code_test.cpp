@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heads of rules, compiled: what they match and bind, and that they leave no choice where there is
 // none.
 

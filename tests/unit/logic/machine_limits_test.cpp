@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What programs may ask of the machine: recursion of any depth that fits the memory, and a clear
 // end of what does not end by itself.
 

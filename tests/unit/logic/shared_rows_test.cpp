@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The initial beliefs of a program's agents are shared until an agent changes one.
 
 #include "interpreter/logic/beliefs/shared_rows.h"

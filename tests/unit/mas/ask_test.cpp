@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Questions for whose answers an intention waits.
 
 #include <gmock/gmock.h>

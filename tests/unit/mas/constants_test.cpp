@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents share the percepts that the environment declares constant, and the answers of rules that
 // ask nothing else: only time and memory show it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents that come and go while the system runs.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents with selection functions, belief revision and social acceptance of their own.
 
 #include "interpreter/agent/surroundings/customisation.h"

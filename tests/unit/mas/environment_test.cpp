@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One tick of a system with an environment.
 
 #include <gmock/gmock.h>

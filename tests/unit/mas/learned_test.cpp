@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans that are options of a policy.
 
 #include <gmock/gmock.h>

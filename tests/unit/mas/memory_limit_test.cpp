@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory that agents share: messages that wait, and the limit for all agents together.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A system on several threads does what it does on one, to the byte.
 
 #include <memory>

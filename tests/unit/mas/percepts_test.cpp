@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An agent's percepts, look by look: how Percepts compares with the last one, and that beliefs are
 // the same whether they are updated by all percepts or by the changes.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A system that begins anew is as one that was just made.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limits of a whole run: which one ended it, who reached it, and where.
 
 #include <string>

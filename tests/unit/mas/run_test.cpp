@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A system without environment: rounds, time, limits.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents of one program share what it begins with, until one of them changes something.
 
 #include <string>

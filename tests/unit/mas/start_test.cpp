@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents that start when they first reason, or when they are inspected.
 
 #include <gmock/gmock.h>

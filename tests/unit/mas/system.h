@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Small systems for tests: agents from texts, what they print, and a world of one number.

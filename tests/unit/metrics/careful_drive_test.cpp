@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The drive of the careful and competent driver in the AV's place.
 
 #include <algorithm>

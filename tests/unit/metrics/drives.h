@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Recordings made by hand: an automated vehicle (AV) of 4 m x 2 m that drives along x = 0, and road

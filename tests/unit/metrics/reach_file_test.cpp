@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The file of situations that can be met, and of the walks that meet them.
 
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What holds of signals and metrics whatever people and the AV do: of random drives.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each item of situations.def by drives made by hand: where its bins begin and end.
 
 #include <algorithm>

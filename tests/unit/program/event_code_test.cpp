@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decoding of plans and formulas: heads; constants, variables and simple sums.
 
 #include "interpreter/program/event_code.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which programs keep to themselves, so that it does not matter when their agents reason.
 
 #include "interpreter/program/isolation.h"

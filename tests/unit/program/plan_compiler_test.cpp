@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans as terms to code: which kind of step each formula is, and what is prepared for it.
 
 #include "interpreter/program/plan_compiler.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which plans a library finds for an event, and in which order.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of a program as a whole.
 
 #include "interpreter/program/program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a formula stands, as one number.
 
 #include "interpreter/program/step_place.h"

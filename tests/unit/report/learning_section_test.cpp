@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The section about what was learned, and the maps of what a policy chooses.
 
 #include <algorithm>

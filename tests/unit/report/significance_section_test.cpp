@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Differences between behaviours as the report shows them.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Worlds that reports are about, for the tests of sections that draw on their ground.

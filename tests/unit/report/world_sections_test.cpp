@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sections that draw on the world's ground: where preconditions were met, tests to look at.
 
 #include <algorithm>

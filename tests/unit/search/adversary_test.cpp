@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gradients are compared with differences of the loss.
 
 #include "search/learn/adversary.h"

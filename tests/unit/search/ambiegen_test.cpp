@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of AmbieGen: NSGA-II, roads of elements, the simplified car.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pedestrians' world as a system under test.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that misbehave in every way cost one test each, with a message that says where.
 
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs of searches, what they are worth, and the ranges that a search reads.
 
 #include <cmath>

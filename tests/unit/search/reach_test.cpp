@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What tests can meet at all, and the walks that meet it.
 
 #include <set>

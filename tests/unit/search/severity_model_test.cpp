@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "search/learn/severity_model.h"
 
 #include <array>

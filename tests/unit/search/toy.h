@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A search space and a SUT that need no simulation: a square whose corner fails.

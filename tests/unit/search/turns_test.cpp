@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How roads turn around their failures.
 
 #include <cmath>

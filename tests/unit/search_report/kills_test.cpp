@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which defects searches kill, counted from runs made by hand.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of roads, as the page's styles show them.
 
 #include <gmock/gmock.h>

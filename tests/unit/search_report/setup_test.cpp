@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The set-up on a search's page, and its commands that reproduce the results.
 
 #include <gmock/gmock.h>

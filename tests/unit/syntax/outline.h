@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Syntax trees in one unambiguous notation for the tests, `(+ X (* 2 Y))`: two trees are equal if

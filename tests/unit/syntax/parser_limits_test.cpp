@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts of hundreds of thousands of brackets or formulas: the parser's stack does not grow with
 // them, and what is nested less deeply than the limit is read.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where errors of options are shown.
 
 #include "tools/jaywalk/options/command_line.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which files words of the command line mean, and the file that traces go to.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The server's offers for a document: completions, outline, layout.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // An editor as the tests of the language server have it: it asks and keeps what it is answered.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages between an editor and the language server, as bytes.
 
 #include <sstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The server's answers about names: hovers, definitions, references, renaming.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversations of an editor with the language server.
 
 #include <gmock/gmock.h>

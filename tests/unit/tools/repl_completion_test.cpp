@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tools/jaywalk/repl/repl_completion.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversations with an agent at the prompt.
 
 #include "tools/jaywalk/repl/repl_session.h"

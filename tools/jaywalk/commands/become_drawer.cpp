@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk` has no pictures of its own: replay_pictures.h.
 
 #include <cerrno>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk check`: finds errors in programs, projects and scenarios without running them.
 
 #include "interpreter/check/check.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A subcommand: the texts of its --help and the function that executes it. commands.def has a row

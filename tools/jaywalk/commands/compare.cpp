@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk compare`: behaviours x numbers of agents x seeded tests, in parallel.
 
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk coverage`: the plans and situations that a store's tests have covered.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk explain`: why an agent did something in a stored test, or did not.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk export`: stored tests as files for other programs.
 
 #include <algorithm>

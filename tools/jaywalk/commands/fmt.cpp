@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk fmt`: programs in their canonical layout.
 
 #include <array>

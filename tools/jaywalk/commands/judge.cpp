@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk judge`: assertions and metrics over the tests of a store, after the fact.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk learn`: agents learn which of their plans to choose, from tests.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk list`: the rows of the tables, for people.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk lsp`: what editors ask about programs, on standard input and output.
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk merge`: the stores of an experiment's shards become one.
 
 #include "experiment/results/merge.h"

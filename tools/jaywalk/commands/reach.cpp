@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk reach`: which situations tests of a scenario can meet at all, and a script for each.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk repl`: a conversation with an agent.
 
 #include <csignal>

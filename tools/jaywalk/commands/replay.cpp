@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk replay`: a stored test, played again.
 
 #include "experiment/report/player/player.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Part of the program `jaywalk-draw` alone.
 
 #include "tools/jaywalk/commands/replay_pictures.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Pictures of a stored test. The libraries that draw take longer to load than most commands to run,

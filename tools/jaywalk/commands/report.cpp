@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk report`: a page about the tests of a store.
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk run`: an agent, a project or one test of a scenario, once.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk search`: generators look for inputs under which a system under test fails.
 
 #include <algorithm>

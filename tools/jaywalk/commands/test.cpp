@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `jaywalk test`: agents' own tests, in parallel.
 
 #include <algorithm>

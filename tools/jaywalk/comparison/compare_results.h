@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The results of `compare`: its files, and what it prints beside its tables.

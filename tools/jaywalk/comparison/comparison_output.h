@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The output of a comparison: a table, or the format that --format names; and notes about failures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // `--assertions`, `--fail-on` and their like: the assertions and metrics to evaluate on tests, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Reports as commands make them: of a store, or of a comparison that no store keeps.

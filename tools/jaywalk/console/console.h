@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The terminal, as the commands see it: results on standard output, everything else on standard

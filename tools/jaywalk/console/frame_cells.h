@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A crossing world in a terminal: the letter and style of each cell, and the legend of the letters.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Shows a test frame by frame: on a terminal each frame replaces the last one, at a given speed;

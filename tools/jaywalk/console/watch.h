@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Draws a test in a terminal tick by tick: the road seen from above, driving to the right, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // An open document: its text, its diagnostics, and the answers to an editor's requests about it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A document of an editor, and its places as the protocol counts them: lines and UTF-16 units, both

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The language server: requests and notifications in, answers and diagnostics out, as JSON texts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The programs of an editor's folders, as they are on the disk or, where they are open, in the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The arguments of one command. Options may stand anywhere; `--` ends them; an option's value

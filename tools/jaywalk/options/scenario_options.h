@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The options that `run` and `compare` share: how a scenario is changed from the command line, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // `--store` and what belongs to it: where tests are kept, and which of them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Which test of a store is meant: the options that `replay` and `explain` share.

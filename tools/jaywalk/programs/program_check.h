@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Checks one program that is loaded already, for `jaywalk check` and the language server.

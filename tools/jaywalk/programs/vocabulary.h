@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The words that the checker takes as known: internal actions, and the percepts and actions of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Completion at the prompt of `jaywalk repl`: commands after a colon, goals after an exclamation

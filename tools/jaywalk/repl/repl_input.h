@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // An input at the prompt of `jaywalk repl`: a command `:word argument`, a query `?- formula.`, or a

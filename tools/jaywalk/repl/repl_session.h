@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A conversation with one agent: each input is carried out, then the agent reasons until it has

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The lines of `--trace` about agents, a JSON object each. `percept`, `event`, `message`, `plan`,

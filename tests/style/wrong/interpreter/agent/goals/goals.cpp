@@ -1,2 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "interpreter/agent/agent.h"
 #include "interpreter/agent/cycle/cycle.h"
