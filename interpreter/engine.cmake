@@ -92,7 +92,7 @@ jaywalk_add_library(engine
     coverage/text.cpp
     embed/agent_functions.cpp
     embed/call.cpp
-    embed/formula_text.cpp
+    embed/formula_with_values.cpp
     embed/interpreter.cpp
     embed/observer.cpp
     embed/program_loader.cpp

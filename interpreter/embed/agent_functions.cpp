@@ -49,12 +49,13 @@ EventView view_of(const Event& event) {
 }
 
 IntentionView view_of(const Intention& intention) {
-  return {.number = intention.id, .label = intention.top().plan->label};
+  return {.number = intention.id,
+          .label = intention.is_finished() ? Value() : intention.top().plan->label};
 }
 
 namespace {
 
-// What the engine gives a function, as views: the engine's list has elements or pointers.
+// Views of the elements of an engine's list, which are objects or pointers.
 template <class View, class List, class Viewed>
 std::vector<View> views_of(const List& list, Viewed viewed) {
   std::vector<View> views;

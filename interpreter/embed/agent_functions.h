@@ -14,7 +14,6 @@ namespace jaywalk {
 [[nodiscard]] std::shared_ptr<const Customisation> customisation_of(AgentClass functions);
 
 [[nodiscard]] EventView view_of(const Event& event);
-/// REQUIRES: it is not finished.
 [[nodiscard]] IntentionView view_of(const Intention& intention);
 
 }  // namespace jaywalk

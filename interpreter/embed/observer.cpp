@@ -3,7 +3,7 @@
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/embed/agent_functions.h"
-#include "interpreter/embed/formula_text.h"
+#include "interpreter/embed/formula_with_values.h"
 #include <jaywalk/observer.h>
 
 namespace jaywalk {
@@ -23,14 +23,16 @@ class Observer::Adapter final : public ReasoningObserver {
   }
   void plan_chosen(Agent& agent, const Plan& plan, const Event& event,
                    const Intention& intention) override {
-    own_.plan_chosen(AgentView(agent), view_of(event), agent.plan_name(plan), view_of(intention));
+    // The intention gets the plan after this.
+    own_.plan_chosen(AgentView(agent), view_of(event), agent.plan_name(plan),
+                     {.number = intention.id, .label = plan.label});
   }
   void no_plan(Agent& agent, const Event& event, bool /*had_candidates*/) override {
     own_.no_plan(AgentView(agent), view_of(event));
   }
   void formula_executes(Agent& agent, const Intention& intention, const Step& step) override {
     own_.formula_executes(AgentView(agent), view_of(intention),
-                          formula_text(agent, intention, step));
+                          formula_with_values(agent, intention, step));
   }
   void formula_failed(Agent& agent, const Intention& intention, const ActionError& error) override {
     own_.formula_failed(AgentView(agent), view_of(intention), error.id, error.message);

@@ -9,7 +9,7 @@ namespace jaywalk {
 namespace {
 
 // The elements of a list as far as it goes, each dereferenced.
-std::vector<Value> elements_of(Value list) {
+std::vector<Value> dereferenced_elements(Value list) {
   std::vector<Value> elements;
   for (Value rest = deref(list); rest.is_pair(); rest = deref(rest.pair()->tail)) {
     elements.push_back(deref(rest.pair()->head));
@@ -42,10 +42,11 @@ std::vector<Value> Terms::args(Value term) const {
 }
 
 std::vector<Value> Terms::annotations(Value term) const {
-  return is_literal(term) ? elements_of(literal_parts(deref(term)).annots) : std::vector<Value>();
+  return is_literal(term) ? dereferenced_elements(literal_parts(deref(term)).annots)
+                          : std::vector<Value>();
 }
 
-std::vector<Value> Terms::elements(Value term) const { return elements_of(term); }
+std::vector<Value> Terms::elements(Value term) const { return dereferenced_elements(term); }
 
 std::string_view Terms::text(Value term) const {
   const Value found = deref(term);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the project's own readers of texts need beside the public diagnostics: suggestions for names
+// For the project's own readers of texts, beside the public diagnostics: suggestions for names
 // that are misspelt, and files of UTF-8 text.
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the engine assumes of Values (<jaywalk/value.h>), and a comparison without a look at cells.
+// Assumptions of the engine about Values (<jaywalk/value.h>), and a comparison without a look at
+// cells.
 
 #include "interpreter/term/symbol.h"
 #include <jaywalk/value.h>

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/compile/compiler.h"
+#include "interpreter/environment/percepts.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"
 #include "tests/helpers/terms.h"

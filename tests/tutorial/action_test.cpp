@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/actions/table/action_traits.h"
+#include "interpreter/logic/action_registry.h"
 #include <jaywalk/interpreter.h>
 
 namespace jaywalk {

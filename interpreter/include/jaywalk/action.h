@@ -53,8 +53,8 @@ class Call {
   [[nodiscard]] Outcome result(std::size_t index, Value value) {
     return unify(index, value) ? Outcome::succeeded : Outcome::failed;
   }
-  /// Several solutions: `next` unifies what it likes and returns true, or returns false when there
-  /// are no more. It must own its data: it is called long after the action has returned.
+  /// Several solutions: `next` unifies what it likes and returns true, or returns false at the end.
+  /// It must own its data: it is called long after the action has returned.
   [[nodiscard]] Outcome each(std::function<bool(Call& call)> next);
   /// Calls `solution` for each answer to a formula that is an argument; it may return false to
   /// stop. Bindings are undone afterwards.

@@ -6,7 +6,7 @@
 // costs nothing, and the agent behaves by default.
 //
 // They are called between the steps of the reasoning cycle, on the thread that runs the system.
-// What they are given is good until they return. A choice should depend on that alone (and on
+// Their arguments are valid until they return. A choice should depend on these alone (and on
 // AgentView::random), so that a run can be repeated.
 
 #include <cstddef>

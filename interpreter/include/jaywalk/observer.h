@@ -29,8 +29,8 @@ class Observer {
   virtual void event_posted(AgentView /*agent*/, const EventView& /*event*/) {}
   /// Rule SelEv: an event was selected, and a plan is looked for.
   virtual void event_selected(AgentView /*agent*/, const EventView& /*event*/) {}
-  /// Rule ApplPl: the context of a relevant plan held, or did not. `plan` is its label, "@p1", or
-  /// its place.
+  /// Rule ApplPl: the context of a relevant plan held, or did not. `plan` names it as messages do,
+  /// "plan @p1 at x.asl:3".
   virtual void plan_tried(AgentView /*agent*/, const std::string& /*plan*/,
                           bool /*is_applicable*/) {}
   /// Rules SelAppl and AddIM: a plan was chosen for the event.

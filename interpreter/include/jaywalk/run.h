@@ -101,7 +101,7 @@ struct MasOptions {
   /// An observer, and functions of agent classes, are called on the thread that runs the system.
   std::size_t threads = 1;
   /// With fewer active agents in a round they reason one after another.
-  std::size_t fewest_beside = 64;
+  std::size_t fewest_parallel = 64;
   /// Measures the CPU time that agents spend reasoning; off, no clock is read.
   bool measure_cpu = false;
   /// Observes all agents as they reason (observer.h); must outlive the system.

@@ -162,7 +162,7 @@ class Terms {
   [[nodiscard]] Value value(Value term) const;
   /// An atom, or a structure that is not an expression, formula or plan.
   [[nodiscard]] bool is_literal(Value term) const;
-  /// Of a literal: "lane" of `~lane(2)[source(self)]`; else empty.
+  /// A literal's functor, "lane" for `~lane(2)[source(self)]`; else empty.
   [[nodiscard]] std::string_view functor(Value term) const;
   [[nodiscard]] bool is_negated(Value term) const;
   /// A literal's arguments; else none.

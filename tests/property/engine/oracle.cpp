@@ -17,6 +17,7 @@
 
 #include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/compile/compiler.h"
+#include "interpreter/environment/percepts.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/syntax/load.h"
 #include "tests/property/engine/generate_reasoning.h"

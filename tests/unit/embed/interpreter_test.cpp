@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <jaywalk/interpreter.h>
+#include <jaywalk/observer.h>
 
 namespace jaywalk {
 namespace {
@@ -192,6 +193,83 @@ TEST_F(Embedded, OwnActionsStandBeforeBuiltInOnes) {
   add("ann", "!g. +!g <- .print(hello).");
   interpreter.run();
   EXPECT_THAT(printed, ElementsAre("mine"));
+}
+
+TEST_F(Embedded, ReadsAndMakesTerms) {
+  interpreter.add_action("my.swap", 2, 2, [](Call& call) {
+    const Terms terms = call.terms();
+    const Value given = call.arg(0);
+    EXPECT_TRUE(terms.is_literal(given));
+    EXPECT_TRUE(terms.is_negated(given));
+    EXPECT_EQ(terms.functor(given), "p");
+    const std::vector<Value> args = terms.args(given);
+    EXPECT_EQ(terms.text(args.at(0)), "a");
+    EXPECT_EQ(terms.elements(args.at(1)).size(), 2U);
+    EXPECT_EQ(terms.printed(terms.annotations(given).at(0)), "b(1)");
+    EXPECT_EQ(terms.functor(args.at(1)), "");
+    EXPECT_TRUE(terms.args(args.at(0)).empty());
+    const Value made = terms.structure("q", {args.at(1), terms.string("s"), terms.atom("~r")},
+                                       {terms.atom("y"), terms.atom("x"), terms.atom("y")});
+    EXPECT_TRUE(terms.equal(made, made));
+    EXPECT_FALSE(terms.equal(made, given));
+    return call.result(1, made);
+  });
+  const AgentId ann = add("ann", "");
+  EXPECT_THAT(ask(ann, "my.swap(~p(\"a\", [1, X])[b(1)], Y)"),
+              ElementsAre("Y=q([1,X],\"s\",~r)[x,y] "));
+}
+
+TEST_F(Embedded, SuspendsAnIntentionUntilItIsResumed) {
+  std::optional<std::uint32_t> waiting;
+  interpreter.add_action("my.wait", 0, 0, [&](Call& call) {
+    waiting = call.intention();
+    return call.suspend("waiting");
+  });
+  const AgentId ann = add("ann", "!g. !h. +!g <- my.wait; .print(g). +!h <- .print(h).");
+  EXPECT_EQ(interpreter.run().end, RunEnd::idle);
+  EXPECT_THAT(printed, ElementsAre("[ann] h"));
+  EXPECT_THAT(interpreter.intentions(ann), ElementsAre("g"));
+  ASSERT_TRUE(waiting);
+  EXPECT_TRUE(interpreter.resume(ann, *waiting).empty());
+  interpreter.run();
+  EXPECT_THAT(printed, ElementsAre("[ann] h", "[ann] g"));
+  EXPECT_THAT(interpreter.resume(ann, *waiting).render(), HasSubstr("no intention"));
+  // A context cannot wait.
+  EXPECT_THAT(ask(ann, "my.wait"), IsEmpty());
+  EXPECT_FALSE(waiting);
+}
+
+TEST(Observed, ReceivesWhatAgentsDo) {
+  class Log : public Observer {
+   public:
+    void event_selected(AgentView agent, const EventView& event) override {
+      seen.push_back("selected " + agent.terms().printed(event.literal));
+    }
+    void plan_chosen(AgentView agent, const EventView&, const std::string&,
+                     const IntentionView& intention) override {
+      seen.push_back("chosen " + agent.terms().printed(intention.label));
+    }
+    void no_plan(AgentView, const EventView& event) override {
+      seen.emplace_back(event.kind == EventView::Kind::achievement_goal ? "no plan" : "?");
+    }
+    void formula_executes(AgentView, const IntentionView&, const std::string& formula) override {
+      seen.push_back(formula);
+    }
+    void formula_failed(AgentView agent, const IntentionView&, const std::string& id,
+                        const std::string&) override {
+      seen.push_back(agent.name() + " fails: " + id);
+    }
+    std::vector<std::string> seen;
+  };
+  Log log;
+  Interpreter observed({.observer = log.reasoning()});
+  const auto program = observed.load_text("ann.asl", "!g(2). !none. @p +!g(X) <- +b(X); .fail.");
+  ASSERT_TRUE(program);
+  observed.add_agent("ann", program.value());
+  observed.run();
+  EXPECT_THAT(log.seen, testing::IsSupersetOf({HasSubstr("selected g(2)"), HasSubstr("chosen p"),
+                                               HasSubstr("+b(2)"), HasSubstr("no plan"),
+                                               HasSubstr("ann fails: ")}));
 }
 
 TEST_F(Embedded, AddsAgentsWhenAllAreIdle) {

@@ -5,6 +5,7 @@
 
 #include "interpreter/agent/surroundings/host.h"
 #include "interpreter/compile/compiler.h"
+#include "interpreter/environment/percepts.h"
 #include "interpreter/syntax/load.h"
 
 namespace jaywalk::test {

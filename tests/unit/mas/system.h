@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interpreter/mas/mas.h"
+#include "interpreter/term/symbol.h"
 
 namespace jaywalk::test {
 

@@ -10,7 +10,8 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
-#include "interpreter/embed/formula_text.h"
+#include "interpreter/embed/formula_with_values.h"
+#include "interpreter/mas/mas.h"
 #include "interpreter/term/print.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/repl/line_editor.h"
@@ -80,7 +81,7 @@ void ReplTrace::no_plan(Agent& /*agent*/, const Event& /*event*/, bool had_candi
 }
 
 void ReplTrace::formula_executes(Agent& agent, const Intention& intention, const Step& step) {
-  if (on_) tell(fmt::format("formula  {}", formula_text(agent, intention, step)));
+  if (on_) tell(fmt::format("formula  {}", formula_with_values(agent, intention, step)));
 }
 
 void ReplTrace::formula_failed(Agent& /*agent*/, const Intention& /*intention*/,

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "interpreter/agent/surroundings/observer.h"
+#include "interpreter/syntax/load.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/repl/repl_completion.h"

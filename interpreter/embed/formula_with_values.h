@@ -11,6 +11,7 @@ struct Step;
 
 /// A formula that an intention is about to execute, with the values that its variables have by now.
 /// Empty if it was not written in a program.
-[[nodiscard]] std::string formula_text(Agent& agent, const Intention& intention, const Step& step);
+[[nodiscard]] std::string formula_with_values(Agent& agent, const Intention& intention,
+                                              const Step& step);
 
 }  // namespace jaywalk

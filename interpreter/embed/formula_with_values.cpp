@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "interpreter/embed/formula_text.h"
+#include "interpreter/embed/formula_with_values.h"
 
 #include "interpreter/agent/agent.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
 
-std::string formula_text(Agent& agent, const Intention& intention, const Step& step) {
+std::string formula_with_values(Agent& agent, const Intention& intention, const Step& step) {
   if (step.source.is_unset()) return {};
   Unifier& unifier = agent.machine().unifier();
   const IntendedMeans& means = intention.stack.back();
