@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include <jaywalk/world.h>
+
 namespace jaywalk {
 
 /// Whether the published results are of the world and the parameters that a preset describes.
@@ -23,16 +25,6 @@ struct Preset {
   std::string_view summary;
   std::string_view text;
   PresetResults results = PresetResults::other;
-};
-
-/// A percept or an action. The name and arity are those of its form: `at(X,Y)` is at/2.
-struct EnvironmentWord {
-  std::string_view form;
-  std::string_view meaning;
-  /// The atoms that arguments of the form take, by the arguments' names: "Way: left right; ...".
-  std::string_view values = {};
-  /// For percepts: the keys of a scenario under which agents have it; empty: they always do.
-  std::string_view needs = {};
 };
 
 class WorldSection;

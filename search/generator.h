@@ -5,6 +5,7 @@
 // and a row in generators.def; docs/internals/add_generator.md adds one. Read sut.h first.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -67,7 +68,7 @@ struct GeneratorKind {
   std::string_view name;
   std::string_view summary;
   std::span<const NumberParameter> parameters;
-  std::unique_ptr<Generator> (*make)(const GeneratorSetup& setup);
+  std::function<std::unique_ptr<Generator>(const GeneratorSetup& setup)> make;
 };
 
 [[nodiscard]] std::span<const GeneratorKind> generators();

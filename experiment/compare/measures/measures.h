@@ -8,16 +8,9 @@
 #include <string_view>
 
 #include "experiment/compare/summary.h"
+#include <jaywalk/measures.h>
 
 namespace jaywalk {
-
-/// A value with its 95 % interval; empty if it does not exist (no successful test, say).
-struct Estimate {
-  std::optional<double> value;
-  std::optional<double> low;
-  std::optional<double> high;
-  bool is_count = false;  // a whole number of things
-};
 
 struct Measure {
   std::string_view name;

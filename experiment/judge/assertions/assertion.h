@@ -15,12 +15,9 @@
 #include "experiment/judge/assertions/expression.h"
 #include "experiment/judge/signals/signals.h"
 #include "interpreter/support/source_files.h"
+#include <jaywalk/judge.h>
 
 namespace jaywalk {
-
-enum class AssertionSeverity { minor, major, critical };
-
-[[nodiscard]] std::string_view name(AssertionSeverity severity);
 
 /// Immutable; shared by all threads.
 struct Assertion {
@@ -41,14 +38,6 @@ struct Assertion {
   /// one.
   [[nodiscard]] bool is_about_one() const;
 };
-
-/// `vacuous`: the precondition was not met. `unavoidable`: the requirement was violated, but no
-/// driver could have kept it.
-enum class Verdict : std::uint8_t { vacuous, pass, fail, unavoidable };
-
-inline constexpr std::size_t kVerdictCount = 4;
-
-[[nodiscard]] std::string_view name(Verdict verdict);
 
 /// The verdict of an assertion for a test. If road users are judged one by one, the test has the
 /// gravest of their verdicts: fail, then unavoidable, pass, vacuous.

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "experiment/compare/carry_over.h"
+#include "experiment/library/test_report.h"
+#include "experiment/test_run/test_run.h"
+#include <jaywalk/scenario.h>
+
+namespace jaywalk {
+
+struct RunnableScenario::Parts {
+  std::shared_ptr<const PreparedScenario> prepared;
+  ScenarioOptions options;
+  JudgingRules rules;
+  Diagnostics warnings;
+};
+
+namespace {
+
+ScenarioOptions chosen_options(const ScenarioChoice& choice) {
+  ScenarioOptions options{.preset = choice.preset,
+                          .sets = choice.sets,
+                          .given_by = {},
+                          .behaviours = choice.behaviours,
+                          .files = SourceFiles(),
+                          .include = {choice.folders.included, choice.folders.mapped}};
+  if (!choice.data_folder.empty()) {
+    options.files =
+        SourceFiles(choice.data_folder + "/agents", choice.data_folder + "/scenarios/assertions");
+  }
+  for (const std::string& folder : choice.folders.readable) options.files.allow_reading(folder);
+  if (!choice.policies.empty()) {
+    options.sets.push_back("policy=" + nlohmann::json(choice.policies).dump());
+  }
+  return options;
+}
+
+Diagnostics no_such_test(const std::string& scenario, std::string why) {
+  Diagnostics diagnostics;
+  diagnostics.error(scenario, std::move(why));
+  return diagnostics;
+}
+
+}  // namespace
+
+Result<RunnableScenario> RunnableScenario::made(Result<Scenario> scenario,
+                                                ScenarioOptions options) {
+  if (!scenario) return std::move(scenario.diagnostics());
+  const auto parts = std::make_shared<Parts>();
+  parts->options = std::move(options);
+  parts->warnings = scenario.value().warnings;
+  auto prepared = PreparedScenario::prepare(std::move(scenario).value(), parts->warnings);
+  if (!prepared) return std::move(prepared.diagnostics());
+  parts->prepared = std::move(prepared).value();
+  Criteria criteria;
+  criteria.assertions = parts->prepared->scenario().assertions;
+  parts->rules = JudgingRules(std::make_shared<const Criteria>(std::move(criteria)));
+  return RunnableScenario(parts);
+}
+
+Result<RunnableScenario> RunnableScenario::read(const std::string& path,
+                                                const ScenarioChoice& choice) {
+  ScenarioOptions options = chosen_options(choice);
+  return made(read_scenario(path, options), options);
+}
+
+Result<RunnableScenario> RunnableScenario::parse(const std::string& name, std::string text,
+                                                 const ScenarioChoice& choice) {
+  ScenarioOptions options = chosen_options(choice);
+  const auto source = std::make_shared<const Source>(name, std::move(text));
+  return made(parse_scenario(source, options), options);
+}
+
+const std::string& RunnableScenario::name() const { return prepared()->scenario().name; }
+std::string_view RunnableScenario::world() const { return prepared()->scenario().world->kind(); }
+std::vector<std::string> RunnableScenario::vehicles() const { return prepared()->vehicles(); }
+std::uint64_t RunnableScenario::tests() const { return prepared()->scenario().experiment.tests; }
+std::uint64_t RunnableScenario::seed() const { return prepared()->scenario().experiment.seed; }
+const JudgingRules& RunnableScenario::rules() const { return parts_->rules; }
+const Diagnostics& RunnableScenario::warnings() const { return parts_->warnings; }
+const ScenarioOptions& RunnableScenario::options() const { return parts_->options; }
+
+std::vector<std::string> RunnableScenario::behaviours() const {
+  std::vector<std::string> names;
+  for (const PreparedBehaviour& behaviour : prepared()->behaviours()) {
+    names.push_back(behaviour.name);
+  }
+  return names;
+}
+
+std::vector<std::uint32_t> RunnableScenario::agents() const {
+  return prepared()->scenario().experiment.agents;
+}
+
+const std::shared_ptr<const PreparedScenario>& RunnableScenario::prepared() const {
+  return parts_->prepared;
+}
+
+Result<TestReport> RunnableScenario::run(const TestChoice& choice) const {
+  return run(choice, rules());
+}
+
+Result<TestReport> RunnableScenario::run(const TestChoice& choice,
+                                         const JudgingRules& rules) const {
+  const auto& all = prepared()->behaviours();
+  const auto behaviour = choice.behaviour.empty()
+                             ? all.begin()
+                             : std::ranges::find(all, choice.behaviour, &PreparedBehaviour::name);
+  if (behaviour == all.end()) {
+    return no_such_test(name(), fmt::format("there is no behaviour '{}'", choice.behaviour));
+  }
+  TestSetup setup{.behaviour = static_cast<std::size_t>(behaviour - all.begin()),
+                  .agents = choice.agents,
+                  .seed = choice.seed.value_or(seed()),
+                  .test = choice.test};
+  if (choice.agents == 0) return no_such_test(name(), "a test has at least one agent");
+  if (std::string why = problem(*prepared(), setup); !why.empty()) {
+    return no_such_test(name(), std::move(why));
+  }
+  const auto chained = in_its_chain(*prepared(), setup, [&] {
+    return choice.interrupted && choice.interrupted() ? Proceed::no : Proceed::yes;
+  });
+  if (!chained) return no_such_test(name(), "the test was interrupted");
+  Recording recording;
+  const TestRun run =
+      run_test(*prepared(), *chained,
+               {.record = &recording, .print = choice.print, .interrupted = choice.interrupted});
+  if (run.interrupted) return no_such_test(name(), "the test was interrupted");
+  const Criteria none;
+  TestReport report = report_of(recording, run.completed ? rules.criteria() : none,
+                                prepared()->scenario().world->ground());
+  const TestOutcome outcome = outcome_of(run);
+  report.error = run.completed ? std::string() : run.message;
+  report.succeeded = run.completed && run.outcome.success;
+  report.ended_by = outcome.ended_by;
+  report.ticks = outcome.ticks;
+  report.impact_mps = outcome.impact_mps;
+  if (run.completed) report.score = run.outcome.score();
+  return report;
+}
+
+}  // namespace jaywalk
