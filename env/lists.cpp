@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "env/environments.h"
 #include "env/vehicle/defects.h"
 #include "env/vehicle/vehicle.h"

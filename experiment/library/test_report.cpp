@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "experiment/library/test_report.h"
 
 #include <algorithm>
 
 #include "experiment/compare/measures/measures.h"
-#include "experiment/export/csv.h"
-#include "experiment/export/json.h"
+#include "experiment/export/comparison_files.h"
 #include "experiment/judge/metrics/metrics.h"
 
 namespace jaywalk {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The engine's results as <jaywalk/scenario.h> and <jaywalk/comparison.h> have them.

@@ -4,12 +4,11 @@
 #   bin/jaywalk-draw            the program that the command runs to draw pictures
 #   include/jaywalk/            the public headers, those of */include/jaywalk in the project
 #   lib/libjaywalk_*.a          the libraries
-#   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, …
+#   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, ::search
 #   share/jaywalk/              agents, scenarios and examples, with their documents
 #   share/doc/jaywalk/          the other documents, in the project's folders, and the licence
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
-set(JAYWALK_INCLUDE_DIR ${CMAKE_INSTALL_INCLUDEDIR}/jaywalk)
 set(JAYWALK_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/jaywalk)
 set(JAYWALK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/jaywalk)
 
@@ -17,9 +16,11 @@ set(JAYWALK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/jaywalk)
 get_property(libraries GLOBAL PROPERTY JAYWALK_LIBRARIES)
 list(REMOVE_ITEM libraries jaywalk_command jaywalk_picture)
 install(TARGETS ${libraries} EXPORT jaywalk-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${JAYWALK_INCLUDE_DIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/interpreter/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.h")
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+foreach(library interpreter env experiment search)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${library}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+          FILES_MATCHING PATTERN "*.h")
+endforeach()
 install(EXPORT jaywalk-targets NAMESPACE jaywalk:: DESTINATION ${JAYWALK_PACKAGE_DIR})
 install(TARGETS jaywalk jaywalk-draw RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
@@ -35,10 +36,9 @@ install(FILES ${PROJECT_BINARY_DIR}/jaywalk-config.cmake
 
 install(CODE "set(JAYWALK_SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
               set(JAYWALK_BINARY_DIR \"${PROJECT_BINARY_DIR}\")
-              set(JAYWALK_INCLUDE_DIR \"${JAYWALK_INCLUDE_DIR}\")
+              set(JAYWALK_INCLUDE_DIR \"${CMAKE_INSTALL_INCLUDEDIR}\")
               set(JAYWALK_DATA_DIR \"${JAYWALK_DATA_DIR}\")
               set(JAYWALK_DOC_DIR \"${CMAKE_INSTALL_DOCDIR}\")")
-install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/scenarios
         DESTINATION ${JAYWALK_DATA_DIR} USE_SOURCE_PERMISSIONS

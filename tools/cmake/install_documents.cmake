@@ -1,6 +1,6 @@
 # Run by the installation, after everything else: copies the documents to JAYWALK_DOC_DIR, laid out as in the
 # project; those of agents, examples and scenarios lie beside these in JAYWALK_DATA_DIR. Links lead to the installed targets,
-# headers in JAYWALK_INCLUDE_DIR among them; a link to a file that is not installed becomes plain text.
+# public headers in JAYWALK_INCLUDE_DIR among them; a link to a file that is not installed becomes plain text.
 # JAYWALK_SOURCE_DIR is the project's folder, JAYWALK_BINARY_DIR has room for the documents with their new links;
 # the other folders are below the prefix.
 cmake_policy(VERSION 3.25)
@@ -15,8 +15,8 @@ list(APPEND documents CITATION.cff LICENSE NOTICE)
 function(find_place path result)
   if(path MATCHES "^(agents|examples|scenarios)(/|$)")
     set(${result} ${JAYWALK_DATA_DIR}/${path} PARENT_SCOPE)
-  elseif(path MATCHES "\\.h$")
-    set(${result} ${JAYWALK_INCLUDE_DIR}/${path} PARENT_SCOPE)
+  elseif(path MATCHES "^[a-z]+/include/(.*)")
+    set(${result} ${JAYWALK_INCLUDE_DIR}/${CMAKE_MATCH_1} PARENT_SCOPE)
   else()
     set(${result} ${JAYWALK_DOC_DIR}/${path} PARENT_SCOPE)
   endif()

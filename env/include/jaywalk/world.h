@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // What scenarios can name: the worlds that agents act in, with the words by which they perceive and

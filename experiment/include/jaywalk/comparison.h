@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Runs the tests of a scenario: behaviours x numbers of agents x tests, judged, summed up and, if

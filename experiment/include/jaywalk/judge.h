@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // How tests are judged: by assertions, requirements on the vehicle under test that YAML files list

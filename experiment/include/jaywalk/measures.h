@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The measures of a comparison: what `jaywalk list measures` lists, with their 95 % intervals.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // What agents have learned: a policy file of `jaywalk learn` says how probable the plans labelled

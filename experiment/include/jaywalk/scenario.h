@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A scenario, made ready to run: its world, its behaviours' programs, its automated vehicle (AV),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Generators propose test inputs and learn from their results. Jaywalk's own are listed here;

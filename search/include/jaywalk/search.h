@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Looks for inputs under which a system under test fails: generators are asked for an input, the

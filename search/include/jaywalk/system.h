@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A system under test (SUT) of your own for a search: it executes a test input, a vector of numbers
