@@ -56,7 +56,7 @@ struct Ground {
 /// The point is in the area or on its edge.
 [[nodiscard]] bool contains(const Area& area, Point point);
 
-/// What a cell of the ground is.
+/// The kinds of the cells of the ground.
 enum class Surface : unsigned char { pavement, lane, crosswalk, blocked };
 
 /// `pavement`, `lane`, `crosswalk` or `blocked`.

@@ -26,7 +26,7 @@ ComparisonRequest request_for(const RunnableScenario& scenario, const Comparison
   return request;
 }
 
-// What the command checks as it reads its options.
+// The checks that the command makes as it reads its options.
 Diagnostics obstacles(const ComparisonRequest& request, const ComparisonOptions& options) {
   Diagnostics diagnostics;
   const ExperimentPlan& plan = request.plan;

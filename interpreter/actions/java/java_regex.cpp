@@ -100,7 +100,7 @@ class Translation {
     copy(1);
   }
 
-  // Of what begins with `(?` what both languages know, and `i`, `m` and `s` of the flags.
+  // Groups that both languages have; of the flags `i`, `m` and `s`.
   void group() {
     const std::string_view rest = pattern_.substr(at_);
     if (rest.starts_with("(*")) return fail("dangling meta character '*'");
@@ -173,7 +173,7 @@ class Translation {
     at_ = end + (has_brace ? 1 : 0);
   }
 
-  // `\12` is group 12 if there are so many before it, else group 1 and a 2.
+  // `\12` is group 12 if 12 groups begin before it, else group 1 and a 2.
   void reference() {
     std::size_t group = static_cast<std::size_t>(pattern_[++at_] - '0');
     for (++at_; more() && kDigits.find(pattern_[at_]) != kDigits.npos; ++at_) {

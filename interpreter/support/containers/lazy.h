@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What is allocated or computed when it is first needed, and then kept.
+// A value that is allocated or computed when it is first needed, and then kept.
 
 #include <cstddef>
 #include <functional>
