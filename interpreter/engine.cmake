@@ -85,11 +85,10 @@ jaywalk_add_library(engine
     agent/goals/waiting.cpp
     coverage/coverage.cpp
     coverage/html.cpp
-    coverage/lcov.cpp
+    coverage/listings.cpp
     coverage/probe_texts.cpp
     coverage/probes.cpp
     coverage/source_coverage.cpp
-    coverage/text.cpp
     embed/agent_functions.cpp
     embed/call.cpp
     embed/formula_with_values.cpp
@@ -115,7 +114,6 @@ jaywalk_add_library(engine
     mas/system.cpp
     term/transfer.cpp
     agent_tests/unit_test_goals.cpp
-    agent_tests/unit_test_junit.cpp
     agent_tests/unit_tests.cpp
     ${JAYWALK_ACTION_SOURCES}
   PUBLIC jaywalk::syntax jaywalk::support

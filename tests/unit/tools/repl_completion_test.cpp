@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/jaywalk/repl/repl_completion.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tools/jaywalk/repl/repl_input.h"
 
 namespace jaywalk {
 namespace {

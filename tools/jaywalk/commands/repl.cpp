@@ -12,7 +12,6 @@
 #include "tools/jaywalk/options/include_path.h"
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/repl/line_editor.h"
-#include "tools/jaywalk/repl/repl_completion.h"
 #include "tools/jaywalk/repl/repl_input.h"
 #include "tools/jaywalk/repl/repl_session.h"
 

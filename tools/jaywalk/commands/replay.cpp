@@ -7,7 +7,7 @@
 #include "tools/jaywalk/commands/command.h"
 #include "tools/jaywalk/commands/replay_pictures.h"
 #include "tools/jaywalk/console/output_files.h"
-#include "tools/jaywalk/console/viewer.h"
+#include "tools/jaywalk/console/watch.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/stored_test.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/jaywalk/repl/repl_completion.h"
+#include "tools/jaywalk/repl/repl_input.h"
 
 namespace jaywalk {
 

@@ -14,7 +14,6 @@
 #include "interpreter/syntax/load.h"
 #include "tools/jaywalk/console/console.h"
 #include "tools/jaywalk/console/interrupt.h"
-#include "tools/jaywalk/repl/repl_completion.h"
 #include "tools/jaywalk/repl/repl_input.h"
 #include <jaywalk/interpreter.h>
 

@@ -23,7 +23,6 @@
 #include "tools/jaywalk/comparison/judging.h"
 #include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/console/output_files.h"
-#include "tools/jaywalk/console/viewer.h"
 #include "tools/jaywalk/console/watch.h"
 #include "tools/jaywalk/options/coverage_options.h"
 #include "tools/jaywalk/options/option_names.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coverage as a tracefile of LCOV, which tools for continuous integration read. The format is that
-// of geninfo(1): for each file its functions (plans), branches (outcomes of conditions) and lines.
+// Coverage as a listing, and as a tracefile of LCOV, which tools for continuous integration read.
+// The format is that of geninfo(1): for each file its functions (plans), branches (outcomes of
+// conditions) and lines.
 
 #include <algorithm>
 
@@ -58,6 +59,32 @@ class Branches {
   std::size_t hit_ = 0;
 };
 
+std::string text_cell(const Share& share) {
+  return fmt::format("{:>5}/{:<5}{:>8}", share.covered, share.of, percent(share));
+}
+
+std::string row(std::string_view name, const CoverageTotals& totals, std::size_t width) {
+  return fmt::format("{:<{}} {} {} {}\n", name, width, text_cell(totals.plans),
+                     text_cell(totals.outcomes), text_cell(totals.formulas));
+}
+
+void list(std::string& out, const CoveredFile& file) {
+  const auto lines = covered_lines(file);
+  const std::string_view text = file.source->text();
+  const auto count = static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n')) +
+                     (text.empty() || text.ends_with('\n') ? 0U : 1U);
+  for (std::uint32_t number = 1; number <= count; ++number) {
+    const auto line = lines.find(number);
+    std::string times = "-";
+    if (line != lines.end()) {
+      times = line->second.count == 0 ? "#####" : fmt::format("{}", line->second.count);
+    }
+    out += fmt::format("{:>11}:{:>5}:{}\n", times, number, file.source->line(number));
+    if (line == lines.end()) continue;
+    for (const std::string& gap : line->second.gaps) out += fmt::format("{:>17}^ {}\n", "", gap);
+  }
+}
+
 }  // namespace
 
 std::string coverage_lcov(const SourceCoverage& coverage) {
@@ -76,6 +103,20 @@ std::string coverage_lcov(const SourceCoverage& coverage) {
       hit += line.count > 0 ? 1U : 0U;
     }
     out += fmt::format("LF:{}\nLH:{}\nend_of_record\n", lines.size(), hit);
+  }
+  return out;
+}
+
+std::string coverage_text(const SourceCoverage& coverage) {
+  std::size_t width = 5;
+  for (const auto& [name, file] : coverage.files) width = std::max(width, name.size());
+  std::string out = fmt::format("{:<{}} {:<19} {:<19} {}\n", "file", width, "plans chosen",
+                                "outcomes seen", "formulas executed");
+  for (const auto& [name, file] : coverage.files) out += row(name, file.totals(), width);
+  out += row("total", coverage.totals(), width);
+  for (const auto& [name, file] : coverage.files) {
+    out += fmt::format("\n{}\n", name);
+    list(out, file);
   }
   return out;
 }
