@@ -22,11 +22,11 @@
 // A sanitizer ends the process for what it finds, and holds the memory limit: an address space of
 // terabytes cannot be limited by the system.
 // NOLINTBEGIN(bugprone-reserved-identifier): the names are the sanitizers'.
-extern "C" const char* __asan_default_options() {
+extern "C" [[gnu::visibility("default")]] const char* __asan_default_options() {
   return "abort_on_error=1:allocator_may_return_null=1:max_allocation_size_mb=2048:"
          "hard_rss_limit_mb=3072";
 }
-extern "C" const char* __ubsan_default_options() {
+extern "C" [[gnu::visibility("default")]] const char* __ubsan_default_options() {
   return "halt_on_error=1:abort_on_error=1:print_stacktrace=1";
 }
 // NOLINTEND(bugprone-reserved-identifier)
