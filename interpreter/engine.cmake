@@ -91,7 +91,6 @@ jaywalk_add_library(engine
     coverage/source_coverage.cpp
     embed/agent_functions.cpp
     embed/call.cpp
-    embed/formula_with_values.cpp
     embed/interpreter.cpp
     embed/observer.cpp
     embed/program_loader.cpp

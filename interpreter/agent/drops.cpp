@@ -97,6 +97,35 @@ std::string goal_text(const Intention& intention, const IntendedMeans& means,
                              symbols, most);
 }
 
+void show_with_values(Agent& agent, const Intention& intention, Value term,
+                      const std::function<void(Value)>& show) {
+  const IntendedMeans& top = intention.top();
+  Unifier& unifier = agent.machine().unifier();
+  const std::span<const Symbol> names = unifier.slot_names();
+  const JavaRandom random = agent.random();
+  unifier.set_slot_names(top.plan->slot_names);
+  ScratchSlots slots(unifier, top.plan->slot_count);
+  std::copy_n(intention.values.data() + top.frame, top.plan->slot_count, slots.data());
+  try {
+    show(deref(unifier.instantiate(term, slots.data())));
+  } catch (const DivisionByZero&) {
+  } catch (const TermTooDeep&) {
+  } catch (const TermTooWide&) {
+  } catch (const HeapExhausted&) {
+  } catch (const QueryLimit&) {
+  }
+  unifier.set_slot_names(names);
+  agent.random() = random;
+}
+
+std::string formula_with_values(Agent& agent, const Intention& intention, const Step& step) {
+  std::string text;
+  if (step.source.is_unset()) return text;
+  show_with_values(agent, intention, step.source,
+                   [&](Value formula) { text = term_text(formula, agent.symbols()); });
+  return text.empty() ? term_text(step.source, agent.symbols()) : text;
+}
+
 std::string describe(const DropCause& cause) {
   std::string text = cause.error;
   if (cause.line > 0) text += fmt::format(", {}:{}", cause.file, cause.line);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The goals of an intention as text, for people.
+// The goals and formulas of an intention as text, for people.
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -11,6 +12,8 @@
 #include "interpreter/term/symbol.h"
 
 namespace jaywalk {
+
+class Agent;
 
 /// A term as text; of a literal without its annotations. With `most`, here and below: at most so
 /// many bytes, and "..." if that is not all.
@@ -32,5 +35,17 @@ namespace jaywalk {
 
 /// The place of the intention's current formula, `x.asl:2:21`; empty if it was made at run time.
 [[nodiscard]] std::string formula_place(const Intention& intention);
+
+/// Calls `show` with a term of the intention's current formula, in which variables have the values
+/// of now; not if there is no such term (it divides by zero, there is no memory for it). The agent
+/// draws the same random numbers afterwards, so that it does the same whether it is observed or
+/// not.
+void show_with_values(Agent& agent, const Intention& intention, Value term,
+                      const std::function<void(Value)>& show);
+
+/// A formula that an intention is about to execute, with the values of now, or without any where
+/// show_with_values() shows nothing. Empty if it was not written in a program.
+[[nodiscard]] std::string formula_with_values(Agent& agent, const Intention& intention,
+                                              const Step& step);
 
 }  // namespace jaywalk

@@ -2,8 +2,8 @@
 #include "interpreter/agent/surroundings/observer.h"
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/embed/agent_functions.h"
-#include "interpreter/embed/formula_with_values.h"
 #include <jaywalk/observer.h>
 
 namespace jaywalk {

@@ -46,21 +46,6 @@ bool holds(const ProbedCondition& condition, Answered answer) {
   return (answer == Answered::some) == (condition.nots % 2 == 0);
 }
 
-// With the values that its variables have; empty if there is no memory left for that.
-std::string formula_text(Agent& agent, const Intention& intention, const Step& step) {
-  const IntendedMeans& top = intention.top();
-  Unifier& unifier = agent.machine().unifier();
-  ScratchSlots slots(unifier, top.plan->slot_count);
-  std::copy_n(intention.values.data() + top.frame, top.plan->slot_count, slots.data());
-  try {
-    return plain_text(unifier.instantiate(step.source, slots.data()), agent.symbols());
-  } catch (const DivisionByZero&) {
-  } catch (const TermTooDeep&) {
-  } catch (const HeapExhausted&) {
-  }
-  return {};
-}
-
 }  // namespace
 
 const TriedPlan* Deliberation::chosen() const {
@@ -246,7 +231,10 @@ void ExplainingObserver::formula_failed(Agent& agent, const Intention& intention
                        .error = error.id,
                        .message = error.message,
                        .goals = goal_stack_text(intention, agent.symbols())};
-  if (!top.is_finished()) failed.formula = formula_text(agent, intention, top.step());
+  if (!top.is_finished()) {
+    show_with_values(agent, intention, top.step().source,
+                     [&](Value formula) { failed.formula = plain_text(formula, agent.symbols()); });
+  }
   failed.has_plan =
       std::any_of(intention.stack.begin(), intention.stack.end(), [&](const IntendedMeans& means) {
         return means.is_goal_addition() && means.predicate() &&

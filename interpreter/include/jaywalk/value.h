@@ -181,7 +181,8 @@ class Terms {
   [[nodiscard]] Value atom(std::string_view functor) const;
   [[nodiscard]] Value string(std::string_view content) const;
   [[nodiscard]] Value list(const std::vector<Value>& elements) const;
-  /// A literal; without arguments and annotations an atom. `~` before the functor negates.
+  /// A literal; without arguments and annotations an atom. `~` before the functor negates. More
+  /// than 65,535 arguments: the action that asks for it fails.
   [[nodiscard]] Value structure(std::string_view functor, const std::vector<Value>& args,
                                 const std::vector<Value>& annotations = {}) const;
   /// A variable that is not bound.

@@ -272,6 +272,44 @@ TEST(Observed, ReceivesWhatAgentsDo) {
                                                HasSubstr("ann fails: ")}));
 }
 
+// Runs a program with an observer, or without one; returns what it prints.
+std::vector<std::string> printed_by(std::string program, ReasoningObserver* observer) {
+  std::vector<std::string> printed;
+  Interpreter interpreter({.seed = 3,
+                           .print = [&](std::string_view line) { printed.emplace_back(line); },
+                           .observer = observer});
+  const auto loaded = interpreter.load_text("ann.asl", std::move(program));
+  if (!loaded) return {loaded.diagnostics().render()};
+  interpreter.add_agent("ann", loaded.value());
+  interpreter.run();
+  return printed;
+}
+
+TEST(Observed, DrawTheSameRandomNumbers) {
+  Observer observer;
+  const std::string program =
+      "!g. +!g <- .print(math.random); X = math.random(10); .print(X, math.random).";
+  const std::vector<std::string> unobserved = printed_by(program, nullptr);
+  ASSERT_EQ(unobserved.size(), 2U);
+  EXPECT_NE(unobserved[0], unobserved[1]);
+  EXPECT_EQ(printed_by(program, observer.reasoning()), unobserved);
+}
+
+TEST(Observed, EvaluateNoMoreThanOthers) {
+  class Formulas : public Observer {
+   public:
+    void formula_executes(AgentView, const IntentionView&, const std::string& formula) override {
+      seen.push_back(formula);
+    }
+    std::vector<std::string> seen;
+  };
+  Formulas observer;
+  const std::string program = "!g. +!g <- ?(true | 1 div 0 > 1); .print(went_on).";
+  EXPECT_THAT(printed_by(program, nullptr), ElementsAre("[ann] went_on"));
+  EXPECT_THAT(printed_by(program, observer.reasoning()), ElementsAre("[ann] went_on"));
+  EXPECT_THAT(observer.seen, ElementsAre(HasSubstr("1 div 0"), ".print(went_on)"));
+}
+
 TEST_F(Embedded, AddsAgentsWhenAllAreIdle) {
   add("ann", "+p[source(S)] <- .print(S).");
   interpreter.run();

@@ -10,7 +10,7 @@
 
 #include "interpreter/actions/actions.h"
 #include "interpreter/agent/agent.h"
-#include "interpreter/embed/formula_with_values.h"
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/mas/mas.h"
 #include "interpreter/term/print.h"
 #include "tools/jaywalk/console/interrupt.h"

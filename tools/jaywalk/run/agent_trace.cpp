@@ -7,19 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "interpreter/agent/agent.h"
+#include "interpreter/agent/goal_stack.h"
 #include "interpreter/term/print.h"
 
 namespace jaywalk {
 namespace {
-
-/// The formula's literal with the values that its variables have by now.
-Value literal_of(Agent& agent, const Intention& intention, const Step& step, std::size_t& trail) {
-  Unifier& unifier = agent.machine().unifier();
-  trail = unifier.mark();
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): bindings in the frame are undone
-  Value* const frame = const_cast<Intention&>(intention).frame(intention.stack.back());
-  return deref(unifier.instantiate(step.term, frame));
-}
 
 bool is_percept(Value literal, const SymbolTable& symbols) {
   literal = deref(literal);
@@ -67,28 +59,32 @@ void AgentTrace::plan_chosen(Agent& agent, const Plan& plan, const Event& event,
 void AgentTrace::formula_executes(Agent& agent, const Intention& intention, const Step& step) {
   const bool acts = step.kind == Step::Kind::action;
   if ((!acts && step.kind != Step::Kind::internal_action) || step.term.is_unset()) return;
-  std::size_t trail = 0;
-  const Value literal = literal_of(agent, intention, step, trail);
-  if (acts) {
-    // An agent that acts again has had no failure of its last action.
-    const auto before = actions_.find(agent.name());
-    if (before != actions_.end()) write(before->second, before->first);
-    actions_[agent.name()] = {.text = term_text(literal, agent.symbols()), .when = now(agent)};
-  } else if (is_literal(literal)) {
-    const LiteralParts parts = literal_parts(literal);
-    const std::string_view name = agent.symbols().functor(parts.predicate);
-    const bool to_all = name == ".broadcast";
-    if ((to_all && parts.args.size() >= 2) || (name == ".send" && parts.args.size() >= 3)) {
-      const std::size_t first = to_all ? 0 : 1;
-      const auto text = [&](std::size_t i) { return term_text(parts.args[i], agent.symbols()); };
-      Line said = line("message", agent);
-      said["to"] = to_all ? "all" : text(0);
-      said["performative"] = text(first);
-      said["content"] = text(first + 1);
-      append(said);
-    }
-  }
-  agent.machine().unifier().undo(trail);
+  show_with_values(agent, intention, step.term, [&](Value literal) {
+    if (acts) note_action(agent, literal);
+    if (!acts) note_message(agent, literal);
+  });
+}
+
+void AgentTrace::note_action(Agent& agent, Value action) {
+  // An agent that acts again has had no failure of its last action.
+  const auto before = actions_.find(agent.name());
+  if (before != actions_.end()) write(before->second, before->first);
+  actions_[agent.name()] = {.text = term_text(action, agent.symbols()), .when = now(agent)};
+}
+
+void AgentTrace::note_message(Agent& agent, Value action) {
+  if (!is_literal(action)) return;
+  const LiteralParts parts = literal_parts(action);
+  const std::string_view name = agent.symbols().functor(parts.predicate);
+  const bool to_all = name == ".broadcast";
+  const std::size_t first = to_all ? 0 : 1;
+  if (!(to_all && parts.args.size() >= 2) && !(name == ".send" && parts.args.size() >= 3)) return;
+  const auto text = [&](std::size_t i) { return term_text(parts.args[i], agent.symbols()); };
+  Line said = line("message", agent);
+  said["to"] = to_all ? "all" : text(0);
+  said["performative"] = text(first);
+  said["content"] = text(first + 1);
+  append(said);
 }
 
 void AgentTrace::formula_failed(Agent& agent, const Intention& /*intention*/,

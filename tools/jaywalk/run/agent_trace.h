@@ -51,6 +51,10 @@ class AgentTrace : public ReasoningObserver {
 
  private:
   [[nodiscard]] Line line(std::string_view kind, Agent& agent);
+  /// Keeps an action until its outcome is known.
+  void note_action(Agent& agent, Value action);
+  /// Writes a message if the internal action sends one.
+  void note_message(Agent& agent, Value action);
 
   std::string unit_;
 };
