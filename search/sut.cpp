@@ -2,10 +2,30 @@
 #include "search/sut.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 namespace jaywalk::search {
+
+std::string why_nonsense(const Outcome& outcome, std::string_view time,
+                         const std::vector<std::string>& measures) {
+  // Sums of greater numbers would be infinite.
+  constexpr double kLongestTest_s = 31'536'000;  // a year
+  constexpr double kGreatestMeasure = 1e12;
+  if (!(outcome.simulated_s >= 0)) return fmt::format("{} is not a number of seconds", time);
+  if (outcome.simulated_s > kLongestTest_s) {
+    return fmt::format("a test of more than {:g} s", kLongestTest_s);
+  }
+  for (std::size_t i = 0; i < outcome.measures.size(); ++i) {
+    const double measure = outcome.measures[i];
+    if (!std::isfinite(measure)) return fmt::format("'{}' is not a number", measures[i]);
+    if (std::fabs(measure) > kGreatestMeasure) {
+      return fmt::format("'{}' is beyond {:g}", measures[i], kGreatestMeasure);
+    }
+  }
+  return {};
+}
 
 std::optional<std::size_t> find_measure(std::span<const MeasureKind> measures,
                                         std::string_view name) {

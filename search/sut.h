@@ -46,6 +46,11 @@ struct Outcome {
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
+/// Why an outcome makes no sense, in the words of its source, which calls the time `time` and has
+/// these measures: a time or a measure that is not a number, or absurd. Empty: it makes sense.
+[[nodiscard]] std::string why_nonsense(const Outcome& outcome, std::string_view time,
+                                       const std::vector<std::string>& measures);
+
 /// One number that a SUT measures of each test.
 struct MeasureKind {
   std::string_view name;

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "experiment/library/test_report.h"
+#include "experiment/library/library.h"
 #include "experiment/run/run_comparison.h"
 #include <jaywalk/comparison.h>
 
@@ -18,7 +18,7 @@ ComparisonRequest request_for(const RunnableScenario& scenario, const Comparison
   request.seed = options.seed.value_or(scenario.seed());
   request.plan.agents = options.agents.value_or(scenario.agents());
   request.plan.tests = options.tests.value_or(scenario.tests());
-  request.plan.threads = std::max(1U, options.threads);
+  request.plan.threads = options.threads;
   request.criteria = options.rules.value_or(scenario.rules()).criteria();
   if (!options.store.empty()) {
     request.store = StoreOptions{.path = options.store, .resume = options.resume};
@@ -39,6 +39,7 @@ Diagnostics obstacles(const ComparisonRequest& request, const ComparisonOptions&
   if (plan.agents.empty() || std::ranges::count(plan.agents, 0U) > 0) {
     diagnostics.error("agents", "expected one number of agents or more, each at least 1");
   }
+  if (options.threads == 0) diagnostics.error("threads", "expected 1 or more, found 0");
   if (options.resume && options.store.empty()) {
     diagnostics.error("resume", "there is no store to go on with");
   }

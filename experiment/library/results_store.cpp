@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "experiment/library/test_report.h"
+#include <fmt/format.h>
+
+#include "experiment/library/library.h"
 #include "experiment/results/reader.h"
+#include "interpreter/support/diagnostics.h"
 #include <jaywalk/store.h>
 
 namespace jaywalk {
@@ -20,6 +23,16 @@ TestLine line_of(const StoredTest& stored, const ExperimentDescription& descript
           .ended_by = stored.outcome.ended_by,
           .ticks = stored.outcome.ticks,
           .score = stored.result.score};
+}
+
+Diagnostics no_such_behaviour(const std::string& name,
+                              const std::vector<StoredBehaviour>& behaviours) {
+  std::vector<std::string> names;
+  for (const StoredBehaviour& each : behaviours) names.push_back(each.name);
+  Diagnostics diagnostics;
+  diagnostics.error("behaviour", fmt::format("the store has no behaviour '{}'", name),
+                    did_you_mean(name, names));
+  return diagnostics;
 }
 
 }  // namespace
@@ -45,7 +58,7 @@ std::optional<Diagnostics> ResultsStore::for_each_test(
   const auto& behaviours = reader_->description().behaviours;
   if (wanted.behaviour) {
     const auto found = std::ranges::find(behaviours, *wanted.behaviour, &StoredBehaviour::name);
-    if (found == behaviours.end()) return std::nullopt;
+    if (found == behaviours.end()) return no_such_behaviour(*wanted.behaviour, behaviours);
     filter.behaviour = static_cast<std::size_t>(found - behaviours.begin());
   }
   return reader_->for_each_test(filter, [&](const StoredTest& stored) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/compare/carry_over.h"
-#include "experiment/library/test_report.h"
+#include "experiment/library/library.h"
 #include "experiment/test_run/test_run.h"
 #include <jaywalk/scenario.h>
 
@@ -26,13 +26,8 @@ ScenarioOptions chosen_options(const ScenarioChoice& choice) {
                           .sets = choice.sets,
                           .given_by = {},
                           .behaviours = choice.behaviours,
-                          .files = SourceFiles(),
+                          .files = readable_files(choice.data_folder, choice.folders),
                           .include = {choice.folders.included, choice.folders.mapped}};
-  if (!choice.data_folder.empty()) {
-    options.files =
-        SourceFiles(choice.data_folder + "/agents", choice.data_folder + "/scenarios/assertions");
-  }
-  for (const std::string& folder : choice.folders.readable) options.files.allow_reading(folder);
   if (!choice.policies.empty()) {
     options.sets.push_back("policy=" + nlohmann::json(choice.policies).dump());
   }
@@ -46,6 +41,15 @@ Diagnostics no_such_test(const std::string& scenario, std::string why) {
 }
 
 }  // namespace
+
+SourceFiles readable_files(const std::string& data_folder, const ProgramFolders& folders) {
+  SourceFiles files;
+  if (!data_folder.empty()) {
+    files = SourceFiles(data_folder + "/agents", data_folder + "/scenarios/assertions");
+  }
+  for (const std::string& folder : folders.readable) files.allow_reading(folder);
+  return files;
+}
 
 Result<RunnableScenario> RunnableScenario::made(Result<Scenario> scenario,
                                                 ScenarioOptions options) {

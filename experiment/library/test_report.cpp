@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/library/test_report.h"
-
 #include <algorithm>
 
 #include "experiment/compare/measures/measures.h"
 #include "experiment/export/comparison_files.h"
 #include "experiment/judge/metrics/metrics.h"
+#include "experiment/library/library.h"
 
 namespace jaywalk {
 namespace {

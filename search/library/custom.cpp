@@ -43,24 +43,27 @@ class CustomSpace final : public SearchSpace {
 
 class CustomSut final : public Sut {
  public:
-  CustomSut(std::unique_ptr<SystemExecutor> executor, std::size_t measures)
+  CustomSut(std::unique_ptr<SystemExecutor> executor, const std::vector<std::string>& measures)
       : executor_(std::move(executor)), measures_(measures) {}
 
   [[nodiscard]] Outcome run(const TestInput& input, std::size_t test) override {
     SystemOutcome found = executor_->run(input.values, test);
-    if (found.error.empty() && found.measures.size() != measures_) {
-      found.error = fmt::format("{} measures instead of {}", found.measures.size(), measures_);
+    if (!found.error.empty()) {
+      found.measures.clear();
+    } else if (found.measures.size() != measures_.size()) {
+      return {.error = fmt::format("{} measures instead of {}", found.measures.size(),
+                                   measures_.size())};
     }
-    if (!found.error.empty()) found.measures.clear();
-    return {.error = std::move(found.error),
-            .simulated_s = found.simulated_s,
-            .measures = std::move(found.measures),
-            .signature = {}};
+    Outcome outcome{.simulated_s = found.simulated_s, .measures = std::move(found.measures)};
+    std::string why = why_nonsense(outcome, "simulated_s", measures_);
+    if (!why.empty()) return {.error = std::move(why)};
+    outcome.error = std::move(found.error);
+    return outcome;
   }
 
  private:
   std::unique_ptr<SystemExecutor> executor_;
-  std::size_t measures_;
+  const std::vector<std::string>& measures_;
 };
 
 class CustomModel final : public SutModel {
@@ -72,7 +75,7 @@ class CustomModel final : public SutModel {
   [[nodiscard]] const SearchSpace& space() const override { return space_; }
   [[nodiscard]] std::span<const MeasureKind> measures() const override { return kinds_; }
   [[nodiscard]] std::unique_ptr<Sut> make() const override {
-    return std::make_unique<CustomSut>(system_.make_executor(), system_.measures.size());
+    return std::make_unique<CustomSut>(system_.make_executor(), system_.measures);
   }
   [[nodiscard]] std::vector<SutSetting> settings() const override {
     return {{.name = "system", .value = system_.name}};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "experiment/library/library.h"
 #include "search/library/custom.h"
 #include "search/search_experiment.h"
 #include "search/store/search_store.h"
@@ -23,17 +25,11 @@ struct RunnableSearch::Parts {
 namespace {
 
 SearchOptions options_of(const SearchChoice& choice) {
-  SearchOptions options{.sets = choice.sets,
-                        .defects = {},
-                        .generators = choice.generators,
-                        .files = SourceFiles(),
-                        .include = {choice.folders.included, choice.folders.mapped}};
-  if (!choice.data_folder.empty()) {
-    options.files =
-        SourceFiles(choice.data_folder + "/agents", choice.data_folder + "/scenarios/assertions");
-  }
-  for (const std::string& folder : choice.folders.readable) options.files.allow_reading(folder);
-  return options;
+  return {.sets = choice.sets,
+          .defects = {},
+          .generators = choice.generators,
+          .files = readable_files(choice.data_folder, choice.folders),
+          .include = {choice.folders.included, choice.folders.mapped}};
 }
 
 /// Mistakes of a description.
@@ -45,7 +41,18 @@ Diagnostics mistakes_in(const SearchDescription& described) {
   if (std::ranges::count(described.system.measures, described.measure) != 1) {
     add(fmt::format("'{}' is not one of the system's measures", described.measure));
   }
-  if (described.harmless == described.worst) add("'harmless' and 'worst' are the same value");
+  if (!std::isfinite(described.harmless) || !std::isfinite(described.worst)) {
+    add("'harmless' or 'worst' is not a number");
+  } else if (described.harmless == described.worst) {
+    add("'harmless' and 'worst' are the same value");
+  }
+  // Not a number is outside each of the ranges.
+  if (!(described.fails_at > 0 && described.fails_at <= 1)) {
+    add(fmt::format("fails_at: expected above 0 and up to 1, found {}", described.fails_at));
+  }
+  if (!(described.overhead_s >= 0)) {
+    add(fmt::format("overhead_s: expected 0 or more, found {}", described.overhead_s));
+  }
   if (described.generators.empty() && described.custom_generators.empty()) {
     add("there is no generator");
   }
@@ -55,7 +62,9 @@ Diagnostics mistakes_in(const SearchDescription& described) {
   for (const CustomGenerator& each : described.custom_generators) {
     if (!each.make) add(fmt::format("nothing makes the generator '{}'", each.name));
   }
-  if (described.tests == 0 && described.virtual_s <= 0) {
+  if (!(described.virtual_s >= 0)) {
+    add(fmt::format("virtual_s: expected 0 or more, found {}", described.virtual_s));
+  } else if (described.tests == 0 && described.virtual_s == 0) {
     add("nothing bounds the number of tests");
   }
   return found;
@@ -170,15 +179,20 @@ Result<SearchReport> RunnableSearch::run(const SearchRunOptions& options) const 
   SearchExperiment experiment = parts_->experiment;
   SearchPlan& plan = experiment.plan;
   plan.seed = options.seed.value_or(plan.seed);
-  plan.repetitions = std::max(1U, options.repetitions.value_or(plan.repetitions));
-  plan.threads = std::max(1U, options.threads);
+  plan.repetitions = options.repetitions.value_or(plan.repetitions);
+  plan.threads = options.threads;
+  Diagnostics wrong;
+  if (plan.repetitions == 0) wrong.error("repetitions", "expected 1 or more, found 0");
+  if (plan.threads == 0) wrong.error("threads", "expected 1 or more, found 0");
+  if (options.resume && options.store.empty()) {
+    wrong.error("resume", "there is no store to go on with");
+  }
+  if (!options.store.empty() && !parts_->is_from_file) {
+    wrong.error(options.store, "a store keeps searches that were read from a file");
+  }
+  if (wrong.has_errors()) return wrong;
   std::unique_ptr<SearchStore> store;
   if (!options.store.empty()) {
-    Diagnostics trouble;
-    if (!parts_->is_from_file) {
-      trouble.error(options.store, "a store keeps searches that were read from a file");
-      return trouble;
-    }
     auto opened = SearchStore::open(
         options.store, options.resume ? SearchStore::Mode::resume : SearchStore::Mode::create,
         experiment);

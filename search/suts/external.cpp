@@ -32,10 +32,6 @@ struct ExternalSettings {
 /// without a request.
 constexpr std::chrono::milliseconds kSettling{20};
 
-/// Numbers beyond these are absurd, and sums of them would be infinite. The time: a year.
-constexpr double kLongestTest_s = 31'536'000;
-constexpr double kGreatestMeasure = 1e12;
-
 /// The test: the points, and the map as the competition's executors want it.
 Json request(const RoadSpace& space, const TestInput& input) {
   Json points = Json::array();
@@ -71,6 +67,11 @@ class ExternalProgram : public Sut {
   /// The program is given up; the next test starts another one.
   Outcome nonsense(std::string_view what) { return failed(process_.refuse(what)); }
 
+  /// Not a number for anything else.
+  static double number_in(const Json& value) {
+    return value.is_number() ? value.get<double>() : std::nan("");
+  }
+
   Outcome read(const Json& json) {
     if (const auto error = json.find("error"); error != json.end() && error->is_string()) {
       // The program goes on; it could not execute this test.
@@ -78,26 +79,15 @@ class ExternalProgram : public Sut {
     }
     Outcome outcome;
     if (const auto time = json.find("sim_time"); time != json.end()) {
-      if (!time->is_number() || !(time->get<double>() >= 0)) {
-        return nonsense("sim_time is not a number of seconds");
-      }
-      if (time->get<double>() > kLongestTest_s) {
-        return nonsense(fmt::format("a test of more than {:g} s", kLongestTest_s));
-      }
-      outcome.simulated_s = time->get<double>();
+      outcome.simulated_s = number_in(*time);
     }
     for (const std::string& measure : settings_.measures) {
       const auto value = json.find(measure);
       if (value == json.end()) return nonsense(fmt::format("there is no '{}'", measure));
-      if (!value->is_number() || !std::isfinite(value->get<double>())) {
-        return nonsense(fmt::format("'{}' is not a number", measure));
-      }
-      if (std::fabs(value->get<double>()) > kGreatestMeasure) {
-        return nonsense(fmt::format("'{}' is beyond {:g}", measure, kGreatestMeasure));
-      }
-      outcome.measures.push_back(value->get<double>());
+      outcome.measures.push_back(number_in(*value));
     }
-    return outcome;
+    const std::string why = why_nonsense(outcome, "sim_time", settings_.measures);
+    return why.empty() ? outcome : nonsense(why);
   }
 
   const RoadSpace& space_;

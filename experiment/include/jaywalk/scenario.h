@@ -40,8 +40,7 @@ struct ScenarioChoice {
   std::vector<std::string> policies;
   ProgramFolders folders;
   /// The folder of what is installed with Jaywalk, share/jaywalk (the package's jaywalk_DATA_DIR),
-  /// in which
-  /// `$jaywalk/…` lies; empty: there is none.
+  /// in which `$jaywalk/…` lies; empty: there is none.
   std::string data_folder;
 };
 

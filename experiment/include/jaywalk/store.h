@@ -54,8 +54,8 @@ class ResultsStore {
   [[nodiscard]] std::uint64_t count() const;
   [[nodiscard]] bool is_complete() const;
 
-  /// Calls back for each test, in the order of ids; false ends that. The error is what could not be
-  /// read.
+  /// Calls back for each test, in the order of ids; false ends that. Errors: no such behaviour, or
+  /// something could not be read.
   [[nodiscard]] std::optional<Diagnostics> for_each_test(
       const TestLines& wanted, const std::function<bool(const TestLine& test)>& callback) const;
   /// All that was seen of a test, with the verdicts that the store's assertions give. A test whose

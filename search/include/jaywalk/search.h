@@ -6,9 +6,9 @@
 // describes a search (docs/reference/search.md), or a program does, with systems and generators of
 // its own. Results depend on no thread.
 //
-//   const auto search =
-//   jaywalk::search::RunnableSearch::read("scenarios/search/lane-keeping.yaml"); const auto report
-//   = search.value().run({.threads = 4, .store = "search.gpkg"});
+//   using jaywalk::search::RunnableSearch;
+//   const auto search = RunnableSearch::read("scenarios/search/lane-keeping.yaml");
+//   const auto report = search.value().run({.threads = 4, .store = "search.gpkg"});
 
 #include <cstdint>
 #include <functional>
@@ -44,8 +44,8 @@ struct SearchDescription {
   std::string name;
   SystemUnderTest system;
   /// The measure that fitness is about, one of the system's. Of values `harmless` and beyond the
-  /// fitness is 0, of `worst` and beyond 1; a test fails at `fails_at` or more. REQUIRES: they
-  /// differ.
+  /// fitness is 0, of `worst`, another value, and beyond it is 1; a test fails at `fails_at` or
+  /// more, above 0 and up to 1.
   std::string measure;
   double harmless = 0;
   double worst = 1;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The engine's results as <jaywalk/scenario.h> and <jaywalk/comparison.h> have them.
+// What <jaywalk/scenario.h> and its siblings have in common: the engine's results as they have
+// them, and the files that they read.
+
+#include <string>
 
 #include "experiment/compare/comparison.h"
 #include "experiment/compare/test_assessment.h"
@@ -14,5 +17,9 @@ namespace jaywalk {
 [[nodiscard]] TestReport report_of(const Recording& recording, const Criteria& criteria,
                                    const Ground& ground);
 [[nodiscard]] ComparisonReport report_of(const Comparison& comparison);
+
+/// The files that a scenario or search may read; `data_folder` as in ScenarioChoice.
+[[nodiscard]] SourceFiles readable_files(const std::string& data_folder,
+                                         const ProgramFolders& folders);
 
 }  // namespace jaywalk
