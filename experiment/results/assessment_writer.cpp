@@ -12,7 +12,7 @@ namespace jaywalk {
 
 class AssessmentWriter::Impl {
  public:
-  Impl(std::string path, ResultsStore store)
+  Impl(std::string path, DescribedStore store)
       : path_(std::move(path)),
         database_(std::move(store.database)),
         description_(std::move(store.description)),

@@ -32,7 +32,7 @@ std::string command_of(const Scenario& scenario) {
 
 class ResultsReader::Impl {
  public:
-  Impl(std::string path, Commands commands, ResultsStore store)
+  Impl(std::string path, Commands commands, DescribedStore store)
       : path_(std::move(path)),
         commands_(commands),
         database_(std::move(store.database)),

@@ -178,11 +178,12 @@ Result<ExperimentDescription> read_description(Database& database, const std::st
 
 }  // namespace
 
-Result<ResultsStore> described(Result<std::unique_ptr<Database>> opened, const std::string& path) {
+Result<DescribedStore> described(Result<std::unique_ptr<Database>> opened,
+                                 const std::string& path) {
   if (!opened) return std::move(opened.diagnostics());
   auto description = read_description(*opened.value(), path);
   if (!description) return std::move(description.diagnostics());
-  return ResultsStore{std::move(opened).value(), std::move(description).value()};
+  return DescribedStore{std::move(opened).value(), std::move(description).value()};
 }
 
 }  // namespace jaywalk

@@ -123,7 +123,7 @@ struct StoredIds {
   std::uint64_t count = 0;
 };
 
-Result<StoredIds> read_ids(const std::string& path, ResultsStore& store) {
+Result<StoredIds> read_ids(const std::string& path, DescribedStore& store) {
   StoredIds ids;
   Statement row(*store.database, "SELECT id FROM tests ORDER BY id");
   while (row.step()) {

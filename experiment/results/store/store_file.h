@@ -48,15 +48,15 @@ void write_judging(Database& database, const ExperimentDescription& before,
                    const ExperimentDescription& now);
 
 /// A results store and the description of its experiment.
-struct ResultsStore {
+struct DescribedStore {
   std::unique_ptr<Database> database;
   ExperimentDescription description;
 };
 
 /// Reads the description of an opened store. Errors: those of opening it; the description cannot be
 /// read, or makes no sense.
-[[nodiscard]] Result<ResultsStore> described(Result<std::unique_ptr<Database>> opened,
-                                             const std::string& path);
+[[nodiscard]] Result<DescribedStore> described(Result<std::unique_ptr<Database>> opened,
+                                               const std::string& path);
 
 /// Creates a database of this name by what `fill` does within a transaction: whole, or not at all.
 /// No file that is there already is touched. Why that failed, if it did.
