@@ -15,15 +15,12 @@
 #include <string_view>
 #include <vector>
 
+#include <jaywalk/vehicle.h>
+
 namespace jaywalk {
 
 /// Standard gravity in m/s^2 (ISO 80000-3), for everything that drives, brakes and is measured.
 inline constexpr double kGravityMps2 = 9.80665;
-
-enum class ActorKind { vehicle, pedestrian, cyclist, signal };
-
-/// `vehicle`, `pedestrian`, …: the word that stores and exports use.
-[[nodiscard]] std::string_view name(ActorKind kind);
 
 /// The side of the box that stands for a pedestrian, in metres.
 inline constexpr double kPedestrianSizeM = 0.5;

@@ -40,7 +40,8 @@ const VehicleModel* find_vehicle_model(std::string_view name) {
 std::unique_ptr<VehicleController> make_controller(const VehicleParameters& parameters) {
   const VehicleModel* model = find_vehicle_model(parameters.model);
   assert(model != nullptr && "scenarios name models that exist");
-  return with_defects(model->make(parameters), parameters.defects);
+  auto controller = parameters.own ? make_own(*parameters.own) : model->make(parameters);
+  return with_defects(std::move(controller), parameters.defects);
 }
 
 }  // namespace jaywalk

@@ -5,7 +5,8 @@
 // world. The world provides the view of the vehicle's sensors, the controller answers with an
 // acceleration, and the world moves the vehicle. The vehicle keeps its row: a controller
 // accelerates and brakes, it does not steer. Models are the rows of models.def; another one is a
-// class in its own file and a row, or an external process (external.cpp).
+// class in its own file and a row, an external process, or a driver of the program that embeds
+// Jaywalk (external.cpp).
 
 #include <cstdint>
 #include <limits>
@@ -17,77 +18,9 @@
 #include <vector>
 
 #include "env/scene.h"
+#include <jaywalk/vehicle.h>
 
 namespace jaywalk {
-
-/// A road user in the way, or that could get there, as the sensors see it.
-struct SeenActor {
-  /// The actor's number in the world, the same in every view.
-  std::uint32_t id = 0;
-  ActorKind kind = ActorKind::pedestrian;
-  /// From the vehicle's front to the near side of the actor's box, along the way; negative beside
-  /// the vehicle and behind its front.
-  double gap_m = 0;
-  /// The sides of the box, as the vehicle's own `left_m` and `right_m`.
-  double left_m = 0;
-  double right_m = 0;
-  /// Along the vehicle's way, and to its right.
-  double speed_ahead_mps = 0;
-  double speed_right_mps = 0;
-  /// The box's length along the way: its far side is at gap_m + length_m.
-  double length_m = 0;
-  /// Its heading, clockwise from the vehicle's way.
-  double heading_rad = 0;
-};
-
-/// A lane of the road, by its sides; its traffic goes the vehicle's way or comes towards it.
-struct SeenLane {
-  double left_m = 0;
-  double right_m = 0;
-  bool oncoming = false;
-};
-
-/// A place where the vehicle has to stop while `closed`: a red signal, or a pedestrian on a zebra.
-struct StopLine {
-  double gap_m = 0;
-  bool closed = false;
-};
-
-/// An obstacle to movement and sight: a parked car.
-struct SeenObstacle {
-  /// From the vehicle's front to its near and its far side.
-  double gap_m = 0;
-  double far_m = 0;
-  /// Its sides, as the vehicle's own.
-  double left_m = 0;
-  double right_m = 0;
-};
-
-/// The controller's input, once every control period.
-struct VehicleView {
-  double time_s = 0;
-  double period_s = 0;
-  double speed_mps = 0;
-  /// The speed at which it would drive if nothing were in its way.
-  double cruise_mps = 0;
-  /// The sides of its body and of its lane, counted from the world's left.
-  double left_m = 0;
-  double right_m = 0;
-  double lane_left_m = 0;
-  double lane_right_m = 0;
-  /// The seen actors in the order of their numbers, without those that are hidden or out of range.
-  std::span<const SeenActor> actors;
-  std::span<const StopLine> stop_lines;
-  /// The map's obstacles, ahead and behind.
-  std::span<const SeenObstacle> obstacles{};
-  /// From the road's begin to its front, and of its body.
-  double front_m = 0;
-  double length_m = 0;
-  /// How far its sensors see ahead of the front.
-  double range_m = 0;
-  /// All lanes, its own too; none where the ground is drawn as a map.
-  std::span<const SeenLane> lanes{};
-};
 
 class ControllerProcesses;
 class Simulators;
@@ -149,6 +82,8 @@ struct VehicleParameters {
   std::vector<std::string> command;
   /// Its process is used again from test to test.
   bool keeps_process = false;
+  /// Drives instead of the model; null: the model does.
+  std::shared_ptr<const OwnVehicle> own;
   /// Faults put on the model, the first one next to it. Without any it is the healthy twin.
   std::vector<VehicleDefect> defects;
 
@@ -174,7 +109,8 @@ class VehicleController {
   [[nodiscard]] virtual std::vector<std::string> take_notes() { return {}; }
 };
 
-/// The hardest braking on a dry road; answers of external controllers are limited to it.
+/// The hardest braking on a dry road; answers of external controllers and drivers are limited to
+/// it.
 inline constexpr double kHardestBrakingMps2 = kGravityMps2;
 inline constexpr double kHardestAccelerationMps2 = 5;
 
@@ -205,8 +141,10 @@ struct VehicleModel {
 /// Null if there is none of that name.
 [[nodiscard]] const VehicleModel* find_vehicle_model(std::string_view name);
 
-/// The model with its defects on it. Null for the model `constant`, which needs no controller.
-/// REQUIRES: the model and the defects exist.
+[[nodiscard]] std::unique_ptr<VehicleController> make_own(const OwnVehicle& vehicle);
+
+/// The model, or the driver in its place, with its defects on it. Null for the model `constant`,
+/// which needs no controller. REQUIRES: the model and the defects exist.
 [[nodiscard]] std::unique_ptr<VehicleController> make_controller(
     const VehicleParameters& parameters);
 

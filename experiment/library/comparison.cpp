@@ -40,6 +40,9 @@ Diagnostics obstacles(const ComparisonRequest& request, const ComparisonOptions&
     diagnostics.error("agents", "expected one number of agents or more, each at least 1");
   }
   if (options.threads == 0) diagnostics.error("threads", "expected 1 or more, found 0");
+  if (!options.store.empty() && request.prepared->scenario().world->vehicle().own) {
+    diagnostics.error(options.store, "a store cannot keep tests of a program's own AV");
+  }
   if (options.resume && options.store.empty()) {
     diagnostics.error("resume", "there is no store to go on with");
   }

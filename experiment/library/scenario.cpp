@@ -34,6 +34,25 @@ ScenarioOptions chosen_options(const ScenarioChoice& choice) {
   return options;
 }
 
+/// The scenario's AV is replaced.
+Diagnostics put_in(std::shared_ptr<const OwnVehicle> vehicle, Scenario& scenario) {
+  Diagnostics found;
+  if (!vehicle->make) found.error(vehicle->name, "nothing makes a driver");
+  if (!scenario.world->simulator().name.empty()) {
+    found.error(scenario.name, "a simulator moves the AV of this scenario");
+  }
+  if (scenario.world->carries_over()) {
+    found.error("world.av.carry_over",
+                "only an AV that keeps a speed of whole cells per tick can carry cells over");
+  }
+  if (found.has_errors()) return found;
+  VehicleParameters parameters = scenario.world->vehicle();
+  parameters.model = "external";
+  parameters.own = std::move(vehicle);
+  scenario.world = scenario.world->with(std::move(parameters), scenario.world->simulator());
+  return found;
+}
+
 Diagnostics no_such_test(const std::string& scenario, std::string why) {
   Diagnostics diagnostics;
   diagnostics.error(scenario, std::move(why));
@@ -51,9 +70,14 @@ SourceFiles readable_files(const std::string& data_folder, const ProgramFolders&
   return files;
 }
 
-Result<RunnableScenario> RunnableScenario::made(Result<Scenario> scenario,
-                                                ScenarioOptions options) {
+Result<RunnableScenario> RunnableScenario::made(Result<Scenario> scenario, ScenarioOptions options,
+                                                std::shared_ptr<const OwnVehicle> vehicle) {
   if (!scenario) return std::move(scenario.diagnostics());
+  if (vehicle) {
+    if (Diagnostics found = put_in(std::move(vehicle), scenario.value()); found.has_errors()) {
+      return found;
+    }
+  }
   const auto parts = std::make_shared<Parts>();
   parts->options = std::move(options);
   parts->warnings = scenario.value().warnings;
@@ -69,14 +93,14 @@ Result<RunnableScenario> RunnableScenario::made(Result<Scenario> scenario,
 Result<RunnableScenario> RunnableScenario::read(const std::string& path,
                                                 const ScenarioChoice& choice) {
   ScenarioOptions options = chosen_options(choice);
-  return made(read_scenario(path, options), options);
+  return made(read_scenario(path, options), options, choice.vehicle);
 }
 
 Result<RunnableScenario> RunnableScenario::parse(const std::string& name, std::string text,
                                                  const ScenarioChoice& choice) {
   ScenarioOptions options = chosen_options(choice);
   const auto source = std::make_shared<const Source>(name, std::move(text));
-  return made(parse_scenario(source, options), options);
+  return made(parse_scenario(source, options), options, choice.vehicle);
 }
 
 const std::string& RunnableScenario::name() const { return prepared()->scenario().name; }

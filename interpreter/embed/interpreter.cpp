@@ -85,20 +85,14 @@ bool is_formula(Value term) {
   return form == Form::relation || form == Form::logical || form == Form::decorated;
 }
 
-Answer::Binding binding_of(Value variable, Agent& agent) {
-  const Value value = agent.machine().unifier().apply(variable);
-  Answer::Binding binding;
-  binding.variable = agent.symbols().text(variable.variable()->name());
-  binding.term = term_text(value, agent.symbols());
-  if (value.is_number()) binding.number = value.as_number();
-  if (value.is_text()) binding.text = value.text()->view();
-  return binding;
-}
-
-Answer answer_of(std::span<const Value> variables, Agent& agent) {
+Answer answer_of(Terms terms, std::span<const Interpreter::BoundVariable> variables) {
   std::vector<Answer::Binding> bindings;
-  for (const Value variable : variables) {
-    if (!deref(variable).is_variable()) bindings.push_back(binding_of(variable, agent));
+  for (const auto& [name, value] : variables) {
+    Answer::Binding& binding = bindings.emplace_back();
+    binding.variable = name;
+    binding.term = terms.printed(value);
+    if (value.is_number()) binding.number = value.as_number();
+    if (value.is_text()) binding.text = terms.text(value);
   }
   return Answer(std::move(bindings));
 }
@@ -272,6 +266,19 @@ const std::string& Interpreter::agent_name(AgentId agent) const {
 std::vector<std::string> Interpreter::beliefs(AgentId agent) const {
   return implementation_->mas->describe_beliefs(agent);
 }
+void Interpreter::each_belief(AgentId agent,
+                              const std::function<void(Terms terms, Value belief)>& callback) {
+  if (!implementation_->obstacle(agent).empty()) return;
+  const AtWork work(implementation_->is_at_work);
+  std::string problem;
+  (void)mas().intervene(
+      agent,
+      [&](Agent& asked) {
+        const Terms terms(asked.heap(), asked.symbols());
+        mas().each_belief(agent, [&](Value belief) { callback(terms, belief); });
+      },
+      problem);
+}
 std::vector<std::string> Interpreter::intentions(AgentId agent) const {
   return implementation_->mas->describe_intentions(agent);
 }
@@ -286,6 +293,13 @@ std::string Interpreter::Implementation::obstacle(AgentId agent) const {
 
 Diagnostics Interpreter::ask(AgentId agent, const std::string& query,
                              const std::function<bool(const Answer&)>& answer) {
+  return ask_terms(agent, query, [&](Terms terms, std::span<const BoundVariable> variables) {
+    return answer(answer_of(terms, variables));
+  });
+}
+
+Diagnostics Interpreter::ask_terms(AgentId agent, const std::string& query,
+                                   const AnswerReader& answer) {
   QueryText text("query", query, parse_term);
   if (!text.is_good()) return std::move(text.diagnostics());
   std::string problem = implementation_->obstacle(agent);
@@ -303,8 +317,17 @@ Diagnostics Interpreter::ask(AgentId agent, const std::string& query,
           text.error("expected a formula, as in a plan's context");
           return;
         }
-        asked.machine().solve_all_terms(formula,
-                                        [&] { return answer(answer_of(variables, asked)); });
+        const Terms terms(asked.heap(), asked.symbols());
+        std::vector<BoundVariable> bound;
+        asked.machine().solve_all_terms(formula, [&] {
+          bound.clear();
+          for (const Value variable : variables) {
+            if (deref(variable).is_variable()) continue;
+            bound.push_back({asked.symbols().text(variable.variable()->name()),
+                             asked.machine().unifier().apply(variable)});
+          }
+          return answer(terms, bound);
+        });
       },
       problem);
   if (!completed) text.error(std::move(problem));

@@ -86,16 +86,19 @@ std::vector<std::string> Mas::describe_intentions(AgentId id) const {
 }
 
 std::vector<std::string> Mas::describe_beliefs(AgentId id) const {
-  if (!is_alive(id)) return {};
-  const Agent& the_agent = agent(id);
   std::vector<std::string> texts;
-  for (const auto& relation : the_agent.beliefs().relations()) {
+  each_belief(id, [&](Value belief) { texts.push_back(term_text(belief, agent(id).symbols())); });
+  return texts;
+}
+
+void Mas::each_belief(AgentId id, const std::function<void(Value belief)>& callback) const {
+  if (!is_alive(id)) return;
+  for (const auto& relation : agent(id).beliefs().relations()) {
     for (std::int64_t seq = relation->end_seq() - 1; seq >= relation->first_seq(); --seq) {
       const Row& row = relation->row(seq);
-      if (!row.fact.is_unset()) texts.push_back(term_text(row.fact, the_agent.symbols()));
+      if (!row.fact.is_unset()) callback(row.fact);
     }
   }
-  return texts;
 }
 
 bool Mas::intervene(AgentId id, const std::function<void(Agent& agent)>& work,

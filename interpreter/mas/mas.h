@@ -77,6 +77,7 @@ class Mas {
   [[nodiscard]] std::vector<std::string> describe_intentions(AgentId id) const;
   /// The agent's beliefs as texts, in the order of the belief base.
   [[nodiscard]] std::vector<std::string> describe_beliefs(AgentId id) const;
+  void each_belief(AgentId id, const std::function<void(Value belief)>& callback) const;
   /// Does something with an agent between two steps: `work` may ask it, or change its beliefs,
   /// goals and plans. False: a limit stopped it, or the agent is not alive, and `problem` says so.
   /// A run that ended because all agents were idle goes on with the next step. REQUIRES: no step is

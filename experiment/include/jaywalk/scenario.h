@@ -21,6 +21,7 @@
 #include <jaywalk/diagnostics.h>
 #include <jaywalk/interpreter.h>
 #include <jaywalk/judge.h>
+#include <jaywalk/vehicle.h>
 
 namespace jaywalk {
 
@@ -38,6 +39,9 @@ struct ScenarioChoice {
   std::vector<std::string> behaviours;
   /// Policy files by which agents choose (policy.h); empty: the scenario's.
   std::vector<std::string> policies;
+  /// An AV of this program instead of the scenario's, of which the sensors' range, the period and
+  /// the defects are kept. No store keeps its tests, since it could not run them again.
+  std::shared_ptr<const OwnVehicle> vehicle;
   ProgramFolders folders;
   /// The folder of what is installed with Jaywalk, share/jaywalk (the package's jaywalk_DATA_DIR),
   /// in which `$jaywalk/…` lies; empty: there is none.
@@ -148,7 +152,8 @@ class RunnableScenario {
   struct Parts;
   explicit RunnableScenario(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
   [[nodiscard]] static Result<RunnableScenario> made(Result<Scenario> scenario,
-                                                     ScenarioOptions options);
+                                                     ScenarioOptions options,
+                                                     std::shared_ptr<const OwnVehicle> vehicle);
 
   std::shared_ptr<const Parts> parts_;
 };

@@ -18,6 +18,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -120,6 +121,14 @@ class Interpreter {
   /// Each answer in turn, as it is found; `answer` returns false to stop.
   [[nodiscard]] Diagnostics ask(AgentId agent, const std::string& query,
                                 const std::function<bool(const Answer&)>& answer);
+  /// The same as terms: the query's variables that have a value.
+  struct BoundVariable {
+    std::string_view name;
+    Value value;
+  };
+  using AnswerReader = std::function<bool(Terms terms, std::span<const BoundVariable> variables)>;
+  [[nodiscard]] Diagnostics ask_terms(AgentId agent, const std::string& query,
+                                      const AnswerReader& answer);
   /// Adds a belief, as the agent's own formula `+b` would: "speed(13)[source(radar)]".
   [[nodiscard]] Diagnostics believe(AgentId agent, const std::string& belief);
   /// Removes the first belief that unifies, as `-b` would: "speed(_)[source(radar)]".
@@ -141,6 +150,8 @@ class Interpreter {
   [[nodiscard]] const std::string& agent_name(AgentId agent) const;
   /// Its beliefs as texts, in the order of the belief base.
   [[nodiscard]] std::vector<std::string> beliefs(AgentId agent) const;
+  /// The same as terms; nothing while the interpreter is at work.
+  void each_belief(AgentId agent, const std::function<void(Terms terms, Value belief)>& callback);
   /// The goals of each intention, the outermost first: "test_av > cross > step(right)".
   [[nodiscard]] std::vector<std::string> intentions(AgentId agent) const;
   /// Virtual time since the run began, in milliseconds.
