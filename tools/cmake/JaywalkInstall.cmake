@@ -12,9 +12,9 @@ include(CMakePackageConfigHelpers)
 set(JAYWALK_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/jaywalk)
 set(JAYWALK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/jaywalk)
 
-# The libraries of the command are not exported: no other program can use them.
+# The command's own libraries are not exported: no other program can use them.
 get_property(libraries GLOBAL PROPERTY JAYWALK_LIBRARIES)
-list(REMOVE_ITEM libraries jaywalk_command jaywalk_picture)
+list(REMOVE_ITEM libraries jaywalk_command jaywalk_programs jaywalk_picture)
 install(TARGETS ${libraries} EXPORT jaywalk-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 foreach(library interpreter env experiment search)

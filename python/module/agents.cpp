@@ -1,0 +1,479 @@
+// SPDX-License-Identifier: Apache-2.0
+// Agents from Python: the interpreter, internal actions as functions, worlds as classes.
+
+#include <array>
+#include <exception>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "interpreter/mas/mas.h"
+#include "interpreter/syntax/load.h"
+#include "interpreter/term/heap.h"
+#include "interpreter/term/symbol.h"
+#include "python/module/values.h"
+#include "tools/jaywalk/programs/program_check.h"
+#include <jaywalk/interpreter.h>
+
+namespace jaywalk::python {
+namespace {
+
+/// What Python has thrown while the interpreter was at work: the run ends, and its caller gets it.
+class Pending {
+ public:
+  void keep_current() {
+    if (!failure_) failure_ = std::current_exception();
+  }
+  [[nodiscard]] bool is_there() const { return failure_ != nullptr; }
+  void rethrow() {
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  }
+
+ private:
+  std::exception_ptr failure_;
+};
+
+/// Exceptions of functions and worlds fail the action. KeyboardInterrupt, SystemExit and their like
+/// end the run.
+std::string failure_text(py::error_already_set& error, const std::string& where, Pending& pending) {
+  if (!error.matches(PyExc_Exception)) {
+    pending.keep_current();
+    return "interrupted";
+  }
+  return report(where, error);
+}
+
+/// A Python iterator that gives several answers; released with Python's lock held.
+std::shared_ptr<py::iterator> shared_iterator(const py::object& generator) {
+  return {new py::iterator(py::iter(generator)), [](const py::iterator* iterator) {
+            const py::gil_scoped_acquire acquire;
+            delete iterator;
+          }};
+}
+
+class World;
+class PyInterpreter;
+
+/// Its numbers of names are those of one interpreter.
+struct LoadedProgram {
+  std::shared_ptr<const Program> program;
+  const PyInterpreter* owner = nullptr;
+};
+
+class PyInterpreter {
+ public:
+  PyInterpreter(std::uint64_t seed, const py::object& print, const py::object& log,
+                const py::object& world, std::uint64_t max_cycles, bool realtime);
+
+  void add_action(const std::string& name, int args, bool has_result, const py::function& body);
+  LoadedProgram load(const std::string& name, const std::optional<std::string>& text,
+                     const std::vector<std::string>& include);
+  std::uint32_t add_agent(const std::string& name, const LoadedProgram& program) {
+    const Use use(*this);
+    if (program.owner != this) throw py::value_error("another interpreter has loaded the program");
+    return static_cast<std::uint32_t>(interpreter_->add_agent(name, program.program));
+  }
+
+  py::dict run();
+  bool step();
+
+  py::list ask(AgentId agent, const std::string& query, std::size_t most);
+  py::list beliefs(AgentId agent);
+  void believe(AgentId agent, const std::string& text) {
+    check(*this, &Interpreter::believe, agent, text);
+  }
+  void forget(AgentId agent, const std::string& text) {
+    check(*this, &Interpreter::forget, agent, text);
+  }
+  void achieve(AgentId agent, const std::string& text) {
+    check(*this, &Interpreter::achieve, agent, text);
+  }
+  void include(AgentId agent, const std::string& name, const std::string& text);
+
+  [[nodiscard]] std::vector<std::string> intentions(AgentId agent) const {
+    return interpreter_->intentions(agent);
+  }
+  [[nodiscard]] bool is_alive(AgentId agent) const { return interpreter_->is_alive(agent); }
+  [[nodiscard]] const std::string& agent_name(AgentId agent) const {
+    return interpreter_->agent_name(agent);
+  }
+  [[nodiscard]] double now_ms() const { return interpreter_->now_ms(); }
+
+  Pending& pending() { return pending_; }
+  [[nodiscard]] SymbolTable& symbols() { return interpreter_->mas().symbols(); }
+
+ private:
+  /// One thread at a time: another one gets RuntimeError. Calls of the thread itself from a
+  /// function that it runs are for the interpreter to answer.
+  class Use {
+   public:
+    explicit Use(PyInterpreter& used) : used_(used), is_outer_(used.user_ == std::thread::id()) {
+      if (is_outer_) {
+        used.user_ = std::this_thread::get_id();
+      } else if (used.user_ != std::this_thread::get_id()) {
+        throw std::runtime_error("another thread is using this interpreter");
+      }
+    }
+    ~Use() {
+      if (is_outer_) used_.user_ = std::thread::id();
+    }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+   private:
+    PyInterpreter& used_;
+    bool is_outer_;
+  };
+
+  static void check(PyInterpreter& self,
+                    Diagnostics (Interpreter::*function)(AgentId, const std::string&),
+                    AgentId agent, const std::string& text);
+  Outcome call(Call& call, const std::string& name, bool has_result, const py::function& body);
+  bool is_interrupted();
+  [[nodiscard]] std::function<void(std::string_view)> line_printer(const py::object& print);
+
+  Pending pending_;
+  std::thread::id user_;  // changed with Python's lock held
+  std::uint64_t asked_ = 0;
+  std::vector<py::function> functions_;
+  std::unique_ptr<Interpreter> interpreter_;
+};
+
+/// A world that is a Python object (jaywalk.Environment).
+class World final : public Environment {
+ public:
+  World(PyInterpreter& interpreter, py::object self)
+      : interpreter_(interpreter), self_(std::move(self)) {}
+
+  void perceive(AgentId agent, Percepts& percepts) const override {
+    const py::gil_scoped_acquire acquire;
+    std::vector<Percept>& known = known_[agent];
+    try {
+      const py::object told = self_.attr("percepts")(interpreter_.agent_name(agent));
+      if (!told.is_none()) known = read(told);  // None: they are what they were
+    } catch (py::error_already_set&) {
+      interpreter_.pending().keep_current();
+    } catch (py::builtin_exception&) {
+      interpreter_.pending().keep_current();
+    }
+    for (const Percept& each : known) add_percept(percepts, each.predicate, each.args);
+  }
+
+  void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override {
+    const py::gil_scoped_acquire acquire;
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+      const std::string& agent = interpreter_.agent_name(actions[i].agent);
+      try {
+        const py::object done = self_.attr("act")(agent, action(actions[i]));
+        results[i].succeeded = done.is_none() || py::bool_(done);
+      } catch (py::error_already_set& error) {
+        results[i] = {
+            .succeeded = false,
+            .reason = failure_text(error, "act() of the environment", interpreter_.pending())};
+      }
+    }
+  }
+
+  void advance() override { call("advance"); }
+  [[nodiscard]] bool finished() const override {
+    const py::object is_finished = call("finished");
+    return is_finished && !is_finished.is_none() && py::bool_(is_finished);
+  }
+  [[nodiscard]] double tick_ms() const override {
+    const py::gil_scoped_acquire acquire;
+    return self_.attr("tick_ms").cast<double>();
+  }
+
+ private:
+  struct Percept {
+    Predicate predicate{};
+    std::vector<Value> args;
+  };
+
+  py::object call(const char* function) const {
+    const py::gil_scoped_acquire acquire;
+    try {
+      return self_.attr(function)();
+    } catch (py::error_already_set&) {
+      interpreter_.pending().keep_current();
+      return {};
+    }
+  }
+
+  [[nodiscard]] Value percept_arg(py::handle arg) const {
+    if (PyBool_Check(arg.ptr())) {
+      return Value::atom(
+          predicate_named(interpreter_.symbols(), arg.ptr() == Py_True ? "true" : "false", 0));
+    }
+    if (py::isinstance(arg, atom_class())) {
+      return Value::atom(
+          predicate_named(interpreter_.symbols(), arg.attr("name").cast<std::string>(), 0));
+    }
+    const double number = PyFloat_AsDouble(arg.ptr());
+    if (number == -1 && PyErr_Occurred() != nullptr) {
+      PyErr_Clear();
+      throw py::type_error("a percept's arguments are numbers and atoms, found " +
+                           py::repr(arg).cast<std::string>());
+    }
+    return Value::number(number);
+  }
+
+  [[nodiscard]] std::vector<Percept> read(const py::object& told) const {
+    static const auto* const literal = new py::object(python_class("as_literal"));
+    std::vector<Percept> percepts;
+    for (const py::handle each : told) {
+      const py::object read = (*literal)(each);
+      const auto args = read.attr("args").cast<py::tuple>();
+      if (py::len(read.attr("annotations")) != 0) {
+        throw py::type_error("a percept has no annotations, found " +
+                             py::repr(read).cast<std::string>());
+      }
+      Percept& percept = percepts.emplace_back();
+      percept.predicate = predicate_named(interpreter_.symbols(),
+                                          read.attr("functor").cast<std::string>(), args.size());
+      for (const py::handle arg : args) percept.args.push_back(percept_arg(arg));
+    }
+    return percepts;
+  }
+
+  /// The action as jaywalk.Structure.
+  [[nodiscard]] py::object action(const ActionRequest& request) const {
+    const Terms terms(heap_, interpreter_.symbols());
+    py::tuple args(request.args.size());
+    for (std::size_t i = 0; i < request.args.size(); ++i) {
+      args[i] = to_python(terms, request.args[i]);
+    }
+    return structure_class()(std::string(interpreter_.symbols().functor(request.predicate)), args);
+  }
+
+  PyInterpreter& interpreter_;
+  py::object self_;
+  mutable Heap heap_;  // to read terms with; nothing is put in it
+  mutable std::map<AgentId, std::vector<Percept>> known_;
+};
+
+std::function<void(std::string_view)> PyInterpreter::line_printer(const py::object& print) {
+  if (print.is_none()) return {};
+  return [this, print](std::string_view line) {
+    const py::gil_scoped_acquire acquire;
+    try {
+      print(py::str(line.data(), line.size()));
+    } catch (py::error_already_set&) {
+      pending_.keep_current();
+    }
+  };
+}
+
+PyInterpreter::PyInterpreter(std::uint64_t seed, const py::object& print, const py::object& log,
+                             const py::object& world, std::uint64_t max_cycles, bool realtime) {
+  MasOptions options;
+  options.seed = seed;
+  options.max_cycles = max_cycles;
+  options.realtime = realtime;
+  options.print = line_printer(print);
+  options.log = line_printer(log);
+  options.interrupted = [this] { return is_interrupted(); };
+  Interpreter::EnvironmentMaker make_world;
+  if (!world.is_none()) {
+    make_world = [&](SymbolTable&) { return std::make_unique<World>(*this, world); };
+  }
+  interpreter_ = std::make_unique<Interpreter>(std::move(options), make_world);
+}
+
+bool PyInterpreter::is_interrupted() {
+  if (pending_.is_there()) return true;
+  constexpr std::uint64_t kBetweenSignals = 64;
+  if (asked_++ % kBetweenSignals != 0) return false;
+  const py::gil_scoped_acquire acquire;
+  if (PyErr_CheckSignals() == 0) return false;
+  try {
+    throw py::error_already_set();
+  } catch (py::error_already_set&) {
+    pending_.keep_current();
+  }
+  return true;
+}
+
+Outcome PyInterpreter::call(Call& call, const std::string& name, bool has_result,
+                            const py::function& body) {
+  const py::gil_scoped_acquire acquire;
+  const std::size_t inputs = call.count() - (has_result ? 1 : 0);
+  try {
+    py::tuple args(inputs);
+    for (std::size_t i = 0; i < inputs; ++i) args[i] = to_python(call.terms(), call.arg(i));
+    const py::object found = body(*args);
+    if (!has_result) {
+      return found.is_none() || py::bool_(found) ? Outcome::succeeded : Outcome::failed;
+    }
+    if (!PyIter_Check(found.ptr())) {
+      return call.result(inputs, from_python(call.terms(), found));
+    }
+    return call.each([this, name, inputs, answers = shared_iterator(found)](Call& again) {
+      const py::gil_scoped_acquire acquire_again;
+      try {
+        while (*answers != py::iterator::sentinel()) {
+          const py::object answer = py::reinterpret_borrow<py::object>(**answers);
+          ++*answers;
+          if (again.unify(inputs, from_python(again.terms(), answer))) return true;
+        }
+      } catch (py::error_already_set& error) {
+        (void)failure_text(error, name, pending_);
+      } catch (py::builtin_exception& error) {
+        (void)python_class("report_exception")(name, py::str(error.what()));
+      }
+      return false;
+    });
+  } catch (py::error_already_set& error) {
+    const py::object wrong = python_class("WrongArgument");
+    if (error.matches(wrong)) {
+      return call.wrong_argument(error.value().attr("index").cast<std::size_t>(),
+                                 error.value().attr("expected").cast<std::string>());
+    }
+    return call.fail("python_error", failure_text(error, name, pending_));
+  } catch (py::builtin_exception& error) {
+    return call.fail("python_error", name + ": " + error.what());
+  }
+}
+
+void PyInterpreter::add_action(const std::string& name, int args, bool has_result,
+                               const py::function& body) {
+  functions_.push_back(body);
+  const std::size_t index = functions_.size() - 1;
+  interpreter_->add_action(name, args, args, [this, name, has_result, index](Call& call) {
+    return this->call(call, name, has_result, functions_[index]);
+  });
+}
+
+LoadedProgram PyInterpreter::load(const std::string& name, const std::optional<std::string>& text,
+                                  const std::vector<std::string>& include) {
+  const Use use(*this);
+  ProgramFolders folders;
+  folders.included = include;
+  return {value_of(text ? interpreter_->load_text(name, *text, folders)
+                        : interpreter_->load_file(name, folders)),
+          this};
+}
+
+py::dict PyInterpreter::run() {
+  const Use use(*this);
+  RunOutcome outcome;
+  {
+    const py::gil_scoped_release release;
+    outcome = interpreter_->run();
+  }
+  pending_.rethrow();
+  constexpr std::array kEnds{"stopped", "idle", "finished", "limit", "looping", "interrupted"};
+  py::dict said;
+  said["end"] = kEnds[static_cast<std::size_t>(outcome.end)];
+  said["ticks"] = outcome.ticks;
+  said["cycles"] = outcome.cycles;
+  said["inferences"] = outcome.inferences;
+  said["exit_code"] = outcome.exit_code;
+  said["message"] = outcome.message;
+  return said;
+}
+
+bool PyInterpreter::step() {
+  const Use use(*this);
+  bool goes_on = false;
+  {
+    const py::gil_scoped_release release;
+    goes_on = interpreter_->step();
+  }
+  pending_.rethrow();
+  return goes_on;
+}
+
+py::list PyInterpreter::ask(AgentId agent, const std::string& query, std::size_t most) {
+  const Use use(*this);
+  py::list answers;
+  const Diagnostics found = interpreter_->ask_terms(
+      agent, query, [&](Terms terms, std::span<const Interpreter::BoundVariable> variables) {
+        py::dict answer;
+        for (const auto& [name, value] : variables) {
+          answer[py::str(std::string(name))] = to_python(terms, value);
+        }
+        answers.append(answer);
+        return most == 0 || answers.size() < most;
+      });
+  pending_.rethrow();
+  if (found.has_errors()) raise(found);
+  return answers;
+}
+
+py::list PyInterpreter::beliefs(AgentId agent) {
+  const Use use(*this);
+  py::list beliefs;
+  interpreter_->each_belief(
+      agent, [&](Terms terms, Value belief) { beliefs.append(to_python(terms, belief)); });
+  return beliefs;
+}
+
+void PyInterpreter::check(PyInterpreter& self,
+                          Diagnostics (Interpreter::*function)(AgentId, const std::string&),
+                          AgentId agent, const std::string& text) {
+  const Use use(self);
+  const Diagnostics found = (*self.interpreter_.*function)(agent, text);
+  self.pending_.rethrow();
+  if (found.has_errors()) raise(found);
+}
+
+void PyInterpreter::include(AgentId agent, const std::string& name, const std::string& text) {
+  const Use use(*this);
+  const Diagnostics found = interpreter_->include(agent, name, text);
+  pending_.rethrow();
+  if (found.has_errors()) raise(found);
+}
+
+/// As `jaywalk check` does it.
+py::list check_program(const std::string& name, const std::string& text,
+                       const std::vector<std::string>& include) {
+  Diagnostics found;
+  IncludePath path;
+  path.folders = include;
+  const auto source = std::make_shared<const Source>(name, text);
+  const SourceTree tree = load_agent(source, path, found);
+  check_alone(tree, name, found);
+  return to_python(found);
+}
+
+}  // namespace
+
+void add_agents(py::module_& module) {
+  py::class_<LoadedProgram>(module, "Program", "A program that an interpreter has loaded.");
+  py::class_<PyInterpreter>(module, "Interpreter")
+      .def(py::init<std::uint64_t, py::object, py::object, py::object, std::uint64_t, bool>())
+      .def("add_action", &PyInterpreter::add_action)
+      .def("load", &PyInterpreter::load, py::keep_alive<0, 1>())
+      .def("add_agent", &PyInterpreter::add_agent)
+      .def("run", &PyInterpreter::run)
+      .def("step", &PyInterpreter::step)
+      .def("ask", [](PyInterpreter& self, std::uint32_t agent, const std::string& query,
+                     std::size_t most) { return self.ask(AgentId{agent}, query, most); })
+      .def("believe", [](PyInterpreter& self, std::uint32_t agent,
+                         const std::string& text) { self.believe(AgentId{agent}, text); })
+      .def("forget", [](PyInterpreter& self, std::uint32_t agent,
+                        const std::string& text) { self.forget(AgentId{agent}, text); })
+      .def("achieve", [](PyInterpreter& self, std::uint32_t agent,
+                         const std::string& text) { self.achieve(AgentId{agent}, text); })
+      .def("include", [](PyInterpreter& self, std::uint32_t agent, const std::string& name,
+                         const std::string& text) { self.include(AgentId{agent}, name, text); })
+      .def("beliefs",
+           [](PyInterpreter& self, std::uint32_t agent) { return self.beliefs(AgentId{agent}); })
+      .def("intentions", [](const PyInterpreter& self,
+                            std::uint32_t agent) { return self.intentions(AgentId{agent}); })
+      .def("is_alive", [](const PyInterpreter& self,
+                          std::uint32_t agent) { return self.is_alive(AgentId{agent}); })
+      .def("agent_name", [](const PyInterpreter& self,
+                            std::uint32_t agent) { return self.agent_name(AgentId{agent}); })
+      .def("now_ms", &PyInterpreter::now_ms);
+  module.def("check_program", &check_program);
+}
+
+}  // namespace jaywalk::python

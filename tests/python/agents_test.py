@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Agents from Python."""
+import contextlib
+import io
+import threading
+import unittest
+
+import jaywalk
+from jaywalk import Atom, Structure
+
+
+class AgentsTest(unittest.TestCase):
+    def setUp(self):
+        self.lines = []
+        self.logged = []
+
+    def interpreter(self, **options):
+        return jaywalk.Interpreter(print=self.lines.append, log=self.logged.append, **options)
+
+    def test_prints_what_agents_print_and_says_how_the_run_ended(self):
+        interpreter = self.interpreter()
+        interpreter.add_agent("ann", "!count(3). +!count(0). +!count(N) <- .print(N); !count(N-1).")
+        outcome = interpreter.run()
+        self.assertEqual(self.lines, ["[ann] 3", "[ann] 2", "[ann] 1"])
+        self.assertEqual(outcome.end, "idle")
+
+    def test_keeps_each_kind_of_value_both_ways(self):
+        interpreter = self.interpreter()
+        agent = interpreter.add_agent("ann")
+        values = [3, -0.25, 1e-7, "left", 'q"\n\t', Atom("left"), [1, [Atom("a")], []], Structure("p", (1, "x"))]
+        for value in values:
+            agent.believe(Structure("is", (value,)))
+        found = [answer["X"] for answer in agent.ask("is(X)")]
+        self.assertEqual(found, list(reversed(values)))
+        self.assertEqual([type(each) for each in found], [type(each) for each in reversed(values)])
+
+    def test_reads_beliefs_with_annotations(self):
+        agent = self.interpreter().add_agent("ann", "~busy. speed(3)[source(radar)].")
+        self.assertIn(Structure("~busy", (), (Structure("source", (Atom("self"),)),)), agent.beliefs)
+        (speed,) = [each for each in agent.beliefs if each.functor == "speed"]
+        self.assertEqual((speed.args, speed.source), ((3,), Atom("radar")))
+
+    def test_takes_beliefs_and_goals_as_texts_or_structures(self):
+        interpreter = self.interpreter()
+        agent = interpreter.add_agent("ann", '+!greet(Who) : polite <- .print("hello, ", Who).')
+        agent.believe("polite", source="bob")
+        agent.achieve(Structure("greet", ("world",)))
+        interpreter.run()
+        self.assertEqual(self.lines, ["[ann] hello, world"])
+        self.assertTrue(agent.holds("polite[source(bob)]"))
+        agent.forget("polite", source="bob")
+        self.assertFalse(agent.holds("polite"))
+
+    def test_calls_functions_as_internal_actions(self):
+        interpreter = self.interpreter()
+        seen = []
+
+        @interpreter.action("road.note")
+        def note(what: Atom, number: float):
+            seen.append((what, number))
+
+        @interpreter.function("road.distance")
+        def distance(speed: float):
+            return speed**2 / 13
+
+        @interpreter.function("road.path")
+        def path():
+            return "C:\\path"
+
+        @interpreter.function("road.lane")
+        def lanes():
+            yield from (1, 2, 3)
+
+        agent = interpreter.add_agent(
+            "ann", "!go. +!go : road.lane(L) & L > 1 <- road.distance(26, D); road.note(lane, L); road.note(m, D); road.path(P); +path(P)."
+        )
+        interpreter.run()
+        self.assertEqual(seen, [(Atom("lane"), 2), (Atom("m"), 52)])
+        self.assertEqual(agent.ask("path(P)"), [{"P": "C:\\path"}])
+
+    def test_fails_actions_whose_function_returns_false_or_gets_another_type(self):
+        interpreter = self.interpreter()
+
+        @interpreter.action("my.refuse")
+        def refuse():
+            return False
+
+        @interpreter.action("my.number")
+        def number(value: float):
+            self.fail("it is no number")
+
+        interpreter.add_agent(
+            "ann",
+            """!a. !b. +!a <- my.refuse. +!b <- my.number("x").
+            -!a[error(E)] <- .print(a, " ", E). -!b[error(E), error_msg(M)] <- .print(b, " ", M).""",
+        )
+        interpreter.run()
+        self.assertEqual(self.lines[0], "[ann] a ia_failed")
+        self.assertIn("a number", self.lines[1])
+
+    def test_shows_the_traceback_of_an_exception_once_and_fails_the_action(self):
+        interpreter = self.interpreter()
+
+        @interpreter.action("my.divide")
+        def divide(value):
+            return 1 / value
+
+        interpreter.add_agent("ann", "!d. !d. +!d <- my.divide(0). -!d[error(E)] <- .print(E).")
+        shown = io.StringIO()
+        with contextlib.redirect_stderr(shown):
+            interpreter.run()
+        self.assertEqual(self.lines, ["[ann] python_error"] * 2)
+        self.assertEqual(shown.getvalue().count("ZeroDivisionError"), 1)
+        self.assertIn("return 1 / value", shown.getvalue())
+
+    def test_passes_keyboard_interrupts_on_to_the_caller(self):
+        interpreter = self.interpreter()
+
+        @interpreter.action("my.stop")
+        def stop():
+            raise KeyboardInterrupt
+
+        interpreter.add_agent("ann", "!s. +!s <- my.stop; !s. -!s <- !s.")
+        with self.assertRaises(KeyboardInterrupt):
+            interpreter.run()
+
+    def test_points_at_the_mistakes_of_a_program(self):
+        with self.assertRaises(jaywalk.Error) as caught:
+            self.interpreter().add_agent("ann", "!go.\n+!go <- .print(1.")
+        (mistake,) = caught.exception.diagnostics
+        self.assertEqual((mistake.severity, mistake.file, mistake.line), ("error", "ann", 2))
+        self.assertIn("^", str(caught.exception))
+
+    def test_checks_programs(self):
+        self.assertEqual(jaywalk.check("!go. +!go <- .print(1)."), [])
+        (slip,) = jaywalk.check("!go. +!go <- .pritn(1).")
+        self.assertEqual((slip.line, slip.column), (1, 14))
+        self.assertIn("did you mean", slip.hint)
+
+    def test_refuses_names_and_programs_that_do_not_fit(self):
+        interpreter = self.interpreter()
+        with self.assertRaisesRegex(ValueError, "has a dot"):
+            interpreter.action("note")
+        agent = interpreter.add_agent("ann")
+        with self.assertRaisesRegex(ValueError, "before the first program"):
+            interpreter.action("my.note")
+        with self.assertRaises(jaywalk.Error):
+            agent.believe("1 +")
+        with self.assertRaises(TypeError):
+            agent.believe(Structure("p", (object(),)))
+        for unwritable in (float("nan"), "back\\slash"):
+            with self.assertRaises(ValueError):
+                agent.believe(Structure("p", (unwritable,)))
+
+    def test_runs_interpreters_in_threads_and_one_in_one_thread_at_a_time(self):
+        outcomes = []
+
+        def run():
+            interpreter = self.interpreter()
+            interpreter.add_agent("ann", "!c(20000). +!c(0). +!c(N) <- !c(N-1).")
+            outcomes.append(interpreter.run().cycles)
+
+        threads = [threading.Thread(target=run) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(set(outcomes)), 1)
+
+        interpreter = self.interpreter()
+        refused = []
+
+        @interpreter.action("my.other")
+        def other():
+            def use():
+                try:
+                    interpreter.step()
+                except RuntimeError as error:
+                    refused.append(str(error))
+
+            thread = threading.Thread(target=use)
+            thread.start()
+            thread.join()
+
+        interpreter.add_agent("ann", "!s. +!s <- my.other.")
+        interpreter.run()
+        self.assertEqual(refused, ["another thread is using this interpreter"])
+
+
+class Room(jaywalk.Environment):
+    tick_ms = 60_000
+
+    def __init__(self):
+        self.degrees = 20
+        self.minutes = 0
+
+    def percepts(self, agent):
+        return None if self.minutes == 3 else [f"temperature({self.degrees})", Structure("owner", (Atom(agent),))]
+
+    def act(self, agent, action):
+        if action.functor != "heat":
+            raise ValueError(f"no such switch: {action}")
+        self.degrees += action[0]
+
+    def advance(self):
+        self.degrees -= 1
+        self.minutes += 1
+
+    def finished(self):
+        return self.minutes == 6
+
+
+class EnvironmentTest(unittest.TestCase):
+    def test_is_perceived_and_acted_on(self):
+        lines = []
+        room = Room()
+        interpreter = jaywalk.Interpreter(environment=room, print=lines.append)
+        agent = interpreter.add_agent("ann", "+temperature(T) : T < 19 <- .print(T); heat(3). +owner(O) <- .print(O).")
+        outcome = interpreter.run()
+        self.assertEqual(lines, ["[ann] ann", "[ann] 18", "[ann] 18"])
+        self.assertEqual((outcome.end, outcome.ticks, interpreter.now_ms), ("finished", 6, 360_000))
+        self.assertIn(Structure("owner", (Atom("ann"),), (Structure("source", (Atom("percept"),)),)), agent.beliefs)
+
+    def test_says_why_an_action_failed(self):
+        lines = []
+        interpreter = jaywalk.Interpreter(environment=Room(), print=lines.append)
+        interpreter.add_agent("ann", "!a. +!a <- cool(1). -!a[error(E), error_msg(M)] <- .print(E, ': ', M).")
+        with contextlib.redirect_stderr(io.StringIO()):
+            interpreter.run()
+        self.assertIn("action_failed", lines[0])
+        self.assertIn("ValueError: no such switch: cool(1)", lines[0])
+
+    def test_ends_the_run_with_the_exception_of_its_percepts(self):
+        class Broken(Room):
+            def percepts(self, agent):
+                return [Structure("name", ("a string",))]
+
+        interpreter = jaywalk.Interpreter(environment=Broken())
+        interpreter.add_agent("ann")
+        with self.assertRaisesRegex(TypeError, "a percept's arguments are numbers and atoms"):
+            interpreter.run()
+
+
+if __name__ == "__main__":
+    unittest.main()
