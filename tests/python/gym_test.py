@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The environment of Gymnasium: its own checker where Gymnasium is installed, and its documented contract in any case
-(https://gymnasium.farama.org/api/env)."""
+"""The environments of Gymnasium and PettingZoo: their own checkers where they are installed, and their documented
+contracts in any case (https://gymnasium.farama.org/api/env, https://pettingzoo.farama.org/api/parallel)."""
 import sys
 import types
 import unittest
@@ -26,10 +26,11 @@ except ImportError:
 
     class Box:
         def __init__(self, low, high, shape, dtype):
-            self.shape, self.dtype = shape, numpy.dtype(dtype)
+            self.low, self.high, self.shape, self.dtype = low, high, shape, numpy.dtype(dtype)
 
         def contains(self, value):
-            return value.shape == self.shape and value.dtype == self.dtype
+            is_within = bool(((self.low <= value) & (value <= self.high)).all())
+            return value.shape == self.shape and value.dtype == self.dtype and is_within
 
     class Discrete:
         def __init__(self, n):
@@ -40,7 +41,15 @@ except ImportError:
     gymnasium.spaces = types.SimpleNamespace(Box=Box, Discrete=Discrete)
     sys.modules["gymnasium"] = gymnasium
 
-from jaywalk.gym import ACTIONS, CrossingEnv  # noqa: E402
+try:
+    from pettingzoo.test import parallel_api_test
+except ImportError:
+    parallel_api_test = None
+    sys.modules["pettingzoo"] = types.SimpleNamespace(ParallelEnv=object)
+
+from jaywalk.crossing import ACTIONS  # noqa: E402
+from jaywalk.gym import CrossingEnv  # noqa: E402
+from jaywalk.pettingzoo import crossing_v0  # noqa: E402
 
 
 def played(env, seed, choose):
@@ -85,6 +94,42 @@ class GymTest(unittest.TestCase):
     def test_is_for_the_crossing(self):
         with self.assertRaisesRegex(ValueError, "expected a scenario of the crossing, found 'motorway'"):
             CrossingEnv("motorway")
+
+
+def played_together(env, seed):
+    """The observations and the sums of the rewards of an episode in which all walk to the right."""
+    seen, infos = env.reset(seed=seed)
+    assert set(seen) == set(infos) == set(env.agents) == set(env.possible_agents)
+    history = [seen]
+    sums = dict.fromkeys(env.agents, 0.0)
+    while env.agents:
+        acting = list(env.agents)
+        seen, rewards, terminated, truncated, infos = env.step(dict.fromkeys(acting, ACTIONS.index("move(right)")))
+        for said in (seen, rewards, terminated, truncated, infos):
+            assert set(said) == set(acting)
+        for agent in acting:
+            assert env.observation_space(agent).contains(seen[agent])
+            sums[agent] += rewards[agent]
+        assert env.agents == [agent for agent in acting if not terminated[agent]]
+        history.append(seen)
+    return history, sums
+
+
+class PettingZooTest(unittest.TestCase):
+    @unittest.skipIf(parallel_api_test is None, "PettingZoo is not installed")
+    def test_passes_pettingzoos_own_test(self):
+        parallel_api_test(crossing_v0.parallel_env(agents=3), num_cycles=100)
+
+    def test_moves_all_agents_at_once(self):
+        env = crossing_v0.parallel_env(agents=3)
+        history, sums = played_together(env, 5)
+        numpy.testing.assert_almost_equal(list(sums.values()), env._episode.result["scores"])
+        again, _ = played_together(env, 5)
+        self.assertEqual(len(history), len(again))
+        for seen, repeated in zip(history, again):
+            for agent in env.possible_agents:
+                numpy.testing.assert_array_equal(seen[agent], repeated[agent])
+        self.assertEqual(len({tuple(each) for each in history[0].values()}), 3)
 
 
 if __name__ == "__main__":
