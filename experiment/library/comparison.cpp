@@ -7,6 +7,7 @@
 
 #include "experiment/library/library.h"
 #include "experiment/run/run_comparison.h"
+#include "experiment/scenario/number_list.h"
 #include <jaywalk/comparison.h>
 
 namespace jaywalk {
@@ -36,10 +37,16 @@ Diagnostics obstacles(const ComparisonRequest& request, const ComparisonOptions&
   if (plan.tests == 0 || plan.tests > kMaxTests) {
     diagnostics.error("tests", fmt::format("expected 1 to {}, found {}", kMaxTests, plan.tests));
   }
-  if (plan.agents.empty() || std::ranges::count(plan.agents, 0U) > 0) {
-    diagnostics.error("agents", "expected one number of agents or more, each at least 1");
+  const auto is_possible = [](std::uint32_t agents) { return agents > 0 && agents <= kMaxAgents; };
+  if (plan.agents.empty() || !std::ranges::all_of(plan.agents, is_possible)) {
+    diagnostics.error(
+        "agents",
+        fmt::format("expected one number of agents or more, each from 1 to {}", kMaxAgents));
   }
-  if (options.threads == 0) diagnostics.error("threads", "expected 1 or more, found 0");
+  if (options.threads == 0 || options.threads > kMaxThreads) {
+    diagnostics.error("threads",
+                      fmt::format("expected 1 to {}, found {}", kMaxThreads, options.threads));
+  }
   if (!options.store.empty() && request.prepared->scenario().world->vehicle().own) {
     diagnostics.error(options.store, "a store cannot keep tests of a program's own AV");
   }

@@ -13,6 +13,9 @@
 
 namespace jaywalk {
 
+/// Threads that a comparison or search may have.
+inline constexpr unsigned kMaxThreads = 1024;
+
 /// A recording and its judgement. The outcome is left to the caller.
 [[nodiscard]] TestReport report_of(const Recording& recording, const Criteria& criteria,
                                    const Ground& ground);

@@ -145,7 +145,10 @@ Result<TestReport> RunnableScenario::run(const TestChoice& choice,
                   .agents = choice.agents,
                   .seed = choice.seed.value_or(seed()),
                   .test = choice.test};
-  if (choice.agents == 0) return no_such_test(name(), "a test has at least one agent");
+  if (choice.test >= kMaxTests) {
+    return no_such_test(
+        name(), fmt::format("test: expected 0 to {}, found {}", kMaxTests - 1, choice.test));
+  }
   if (std::string why = problem(*prepared(), setup); !why.empty()) {
     return no_such_test(name(), std::move(why));
   }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/scenario/number_list.h"
 #include "experiment/test_run/covered_bins.h"
 #include "interpreter/agent/agent.h"
 #include "interpreter/support/random.h"
@@ -279,6 +280,9 @@ std::string problem(const PreparedScenario& prepared, const TestSetup& setup) {
                        prepared.behaviours().size());
   }
   if (setup.agents == 0) return "a test needs at least one agent";
+  if (setup.agents > kMaxAgents) {
+    return fmt::format("a test has at most {} agents, found {}", kMaxAgents, setup.agents);
+  }
   return prepared.scenario().world->problem(start_of(setup));
 }
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Iterator, Optional, Union
 
 from jaywalk import _native
-from jaywalk.terms import Atom, Diagnostic, Structure, WrongArgument, as_literal, text_of
+from jaywalk.terms import Atom, Diagnostic, Structure, WrongArgument, as_literal, text_of, whole
 
 Literal = Union[str, Atom, Structure]
 
@@ -95,7 +95,7 @@ class Agent:
     def ask(self, query: Literal, most: int = 0) -> list[dict[str, Any]]:
         """The answers to a formula of a plan's context ("age(X,N) & N > 18"): the values of its variables, by their
         names. At most `most` of them; 0: all."""
-        return self._native.ask(self._number, text_of_literal(query), most)
+        return self._native.ask(self._number, text_of_literal(query), whole("most", most))
 
     def holds(self, query: Literal) -> bool:
         """Whether the formula has an answer."""
@@ -130,7 +130,9 @@ class Interpreter:
         max_cycles: int = 0,
         realtime: bool = False,
     ):
-        self._native = _native.Interpreter(seed, print, log, environment, max_cycles, realtime)
+        self._native = _native.Interpreter(
+            whole("seed", seed), print, log, environment, whole("max_cycles", max_cycles), realtime
+        )
         self._programs = 0
 
     def action(self, name: str) -> Callable[[Callable], Callable]:

@@ -6,13 +6,18 @@ import html
 import json
 import os
 import pathlib
+import re
 import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Union
 
 from jaywalk import _native
 from jaywalk.agents import is_path
-from jaywalk.terms import Diagnostic, Structure
+from jaywalk.terms import Diagnostic, Structure, whole, whole_or_none
+
+_MOST_AGENTS = 10_000
+_MOST_TESTS = 10_000_000
+_MOST_THREADS = 1024
 
 Path = Union[str, os.PathLike]
 
@@ -198,6 +203,7 @@ class Scenario:
         """Runs one test, by default of the first behaviour; the same arguments give the same test. `test` counts from
         0; `print` receives what agents print; `assertions` are files, by default the scenario's."""
         chosen = behaviour or self.behaviours[0]
+        agents, test, seed = _test(agents, test, seed)
         said = self._native.run(chosen, agents, test, seed, print, _assertion_files(assertions))
         return Test(said, lambda: self._native.page(chosen, agents, test, seed))
 
@@ -218,12 +224,12 @@ class Scenario:
         threads (all that there are); the results do not depend on their number. They are judged by the `assertions`, by
         default the scenario's. `store` is the path of a results store that keeps all tests; it must not exist unless
         `resume` lets it be continued. `progress(done, total)` is called some times a second."""
-        numbers = None if agents is None else [agents] if isinstance(agents, int) else list(agents)
+        given = None if agents is None else list(agents) if isinstance(agents, Iterable) else [agents]
         said = self._native.compare(
-            tests,
-            numbers,
-            seed,
-            (os.cpu_count() or 1) if threads is None else threads,
+            whole_or_none("tests", tests, 1, _MOST_TESTS),
+            given if given is None else [whole("agents", each, 1, _MOST_AGENTS) for each in given],
+            whole_or_none("seed", seed),
+            whole("threads", min(os.cpu_count() or 1, _MOST_THREADS) if threads is None else threads, 1, _MOST_THREADS),
             _assertion_files(assertions),
             metrics,
             os.fspath(store) if store is not None else "",
@@ -234,7 +240,7 @@ class Scenario:
 
     def episode(self, *, agents: int = 1, test: int = 0, seed: Optional[int] = None) -> Episode:
         """A test whose agents your program drives, tick by tick."""
-        return Episode(_native.Episode(self._native, agents, test, seed), agents)
+        return Episode(_native.Episode(self._native, *_test(agents, test, seed)), agents)
 
 
 class Episode:
@@ -247,7 +253,7 @@ class Episode:
 
     def percepts(self, agent: int = 0) -> list[Structure]:
         """What the agent, from 0, perceives now."""
-        return self._native.percepts(agent)
+        return self._native.percepts(whole("agent", agent, 0, self.agents - 1))
 
     def step(self, *actions: Any) -> list[Optional[str]]:
         """One tick with an action of each agent: a literal ("move(right)") or None. Returns why each of them has
@@ -347,7 +353,7 @@ class Store:
     ) -> list[dict[str, Any]]:
         """Its tests, or those that are wanted, in the order of their ids: id, behaviour, agents, test, vehicle,
         succeeded, errored, ended_by, ticks, score."""
-        return self._native.tests(behaviour, agents, succeeded, errored)
+        return self._native.tests(behaviour, whole_or_none("agents", agents, 0, _MOST_AGENTS), succeeded, errored)
 
     def to_dataframe(self):
         """All tests as a pandas.DataFrame."""
@@ -355,6 +361,7 @@ class Store:
 
     def test(self, id: int) -> Test:
         """All that was seen of a test, with its verdicts. It is run again if the store has not kept its scenes."""
+        id = whole("id", id)
         return Test(self._native.test(id), lambda: _native.stored_page(self._path, id))
 
     def comparison(self) -> Comparison:
@@ -391,6 +398,8 @@ def load_scenario(
         chosen = []
         if isinstance(behaviours, Mapping):
             for behaviour, program in behaviours.items():
+                if not re.fullmatch(r"\w[\w-]*", behaviour):
+                    raise ValueError(f"a behaviour's name has letters, digits, '_' and '-', found {behaviour!r}")
                 path = pathlib.Path(folder, behaviour + ".asl")
                 path.write_text(program, encoding="utf-8")
                 chosen.append(str(path))
@@ -446,6 +455,10 @@ def judge(
 def measures() -> dict[str, str]:
     """The measures of a comparison, and what each means."""
     return _native.measures()
+
+
+def _test(agents: Any, test: Any, seed: Any) -> tuple[int, int, Optional[int]]:
+    return whole("agents", agents, 1, _MOST_AGENTS), whole("test", test, 0, _MOST_TESTS - 1), whole_or_none("seed", seed)
 
 
 def _assertion_files(assertions: Optional[Iterable[Path]]) -> Optional[list[str]]:

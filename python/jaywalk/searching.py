@@ -2,11 +2,13 @@
 """Search-based testing: looks for inputs of a function, or of a search's file, that fail."""
 from __future__ import annotations
 
+import math
 import os
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Union
 
 from jaywalk import _native
-from jaywalk.bench import Path, _dataframe, data_folder, shipped
+from jaywalk.bench import _MOST_THREADS, Path, _dataframe, data_folder, shipped
+from jaywalk.terms import whole, whole_or_none
 
 Range = tuple[float, float]
 Space = Union[Mapping[str, Range], Sequence[Range]]
@@ -96,6 +98,10 @@ def search(
     `generator` is a name of `generators()`, a class derived from Generator, or several of them; by default "prospect",
     or those of the file. A search is a function of the `seed`, whatever the number of `threads`.
     """
+    seed = whole_or_none("seed", seed)
+    repetitions = whole_or_none("repetitions", repetitions, 1, 2**31 - 1)
+    threads = whole("threads", threads, 1, _MOST_THREADS)
+    budget = whole_or_none("budget", budget, 1)
     if not callable(fitness):
         given = [] if generator is None else [generator] if isinstance(generator, str) else list(generator)
         name, text = os.fspath(fitness), None
@@ -159,6 +165,9 @@ def _read_space(space: Space) -> tuple[Optional[list[str]], list[Range]]:
     ranges = list(space.values()) if isinstance(space, Mapping) else list(space)
     for index, each in enumerate(ranges):
         low, high = each
+        name = names[index] if names else index
+        if not (math.isfinite(low) and math.isfinite(high)):
+            raise ValueError(f"the range of {name} is not finite: {low} to {high}")
         if not low < high:
-            raise ValueError(f"the range of {names[index] if names else index} is empty: {low} to {high}")
+            raise ValueError(f"the range of {name} is empty: {low} to {high}")
     return names, ranges

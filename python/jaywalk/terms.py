@@ -109,7 +109,7 @@ def text_of(value: Any) -> str:
 def literal(text: str) -> Structure:
     """The literal that a text stands for: `literal("at(2,5)[source(ann)]")`. Errors: jaywalk.Error with its place."""
     value = _parser().ask(0, f"Parsed = ({text})", 1)
-    found = value[0]["Parsed"] if value else None
+    found = value[0].get("Parsed") if value else None
     if not isinstance(found, (Atom, Structure)):
         raise ValueError(f"expected a literal such as at(2,5), found {text!r}")
     return as_literal(found)
@@ -174,6 +174,17 @@ class WrongArgument(TypeError):
         super().__init__(f"argument {index + 1}: expected {expected}")
         self.index = index
         self.expected = expected
+
+
+def whole(name: str, value: Any, least: int = 0, most: int = 2**63 - 1) -> int:
+    """A whole number from `least` to `most`; else ValueError names it."""
+    if isinstance(value, bool) or not hasattr(value, "__index__") or not least <= value.__index__() <= most:
+        raise ValueError(f"{name}: expected a whole number from {least} to {most}, found {value!r}")
+    return value.__index__()
+
+
+def whole_or_none(name: str, value: Any, least: int = 0, most: int = 2**63 - 1) -> Optional[int]:
+    return None if value is None else whole(name, value, least, most)
 
 
 _reported: set[tuple] = set()

@@ -395,12 +395,17 @@ py::list PyInterpreter::ask(AgentId agent, const std::string& query, std::size_t
   py::list answers;
   const Diagnostics found = interpreter_->ask_terms(
       agent, query, [&](Terms terms, std::span<const Interpreter::BoundVariable> variables) {
-        py::dict answer;
-        for (const auto& [name, value] : variables) {
-          answer[py::str(std::string(name))] = to_python(terms, value);
+        // No exception may pass through the interpreter.
+        try {
+          py::dict answer;
+          for (const auto& [name, value] : variables) {
+            answer[py::str(std::string(name))] = to_python(terms, value);
+          }
+          answers.append(answer);
+        } catch (py::error_already_set&) {
+          pending_.keep_current();
         }
-        answers.append(answer);
-        return most == 0 || answers.size() < most;
+        return !pending_.is_there() && (most == 0 || answers.size() < most);
       });
   pending_.rethrow();
   if (found.has_errors()) raise(found);
@@ -410,8 +415,14 @@ py::list PyInterpreter::ask(AgentId agent, const std::string& query, std::size_t
 py::list PyInterpreter::beliefs(AgentId agent) {
   const Use use(*this);
   py::list beliefs;
-  interpreter_->each_belief(
-      agent, [&](Terms terms, Value belief) { beliefs.append(to_python(terms, belief)); });
+  interpreter_->each_belief(agent, [&](Terms terms, Value belief) {
+    try {
+      if (!pending_.is_there()) beliefs.append(to_python(terms, belief));
+    } catch (py::error_already_set&) {
+      pending_.keep_current();
+    }
+  });
+  pending_.rethrow();
   return beliefs;
 }
 

@@ -13,6 +13,17 @@
 namespace jaywalk::python {
 namespace {
 
+/// Python's own limit of nesting: RecursionError instead of an overflowing stack.
+class Nesting {
+ public:
+  Nesting() {
+    if (Py_EnterRecursiveCall(" in a term") != 0) throw py::error_already_set();
+  }
+  ~Nesting() { Py_LeaveRecursiveCall(); }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+};
+
 py::object number_to_python(double number) {
   constexpr double kExact = 9007199254740992;  // 2^53
   if (std::floor(number) == number && std::fabs(number) <= kExact) {
@@ -55,6 +66,7 @@ py::object python_class(const char* name) {
 }
 
 py::object to_python(Terms terms, Value term) {
+  const Nesting nesting;
   const Value value = terms.value(term);
   if (value.is_number()) return number_to_python(value.as_number());
   if (value.is_text()) return py::str(std::string(terms.text(value)));
@@ -68,6 +80,7 @@ py::object to_python(Terms terms, Value term) {
 }
 
 Value from_python(Terms terms, py::handle value) {
+  const Nesting nesting;
   if (value.is_none()) return terms.variable();
   if (PyBool_Check(value.ptr())) return terms.atom(value.ptr() == Py_True ? "true" : "false");
   if (PyUnicode_Check(value.ptr())) return terms.string(value.cast<std::string>());

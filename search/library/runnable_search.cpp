@@ -183,7 +183,9 @@ Result<SearchReport> RunnableSearch::run(const SearchRunOptions& options) const 
   plan.threads = options.threads;
   Diagnostics wrong;
   if (plan.repetitions == 0) wrong.error("repetitions", "expected 1 or more, found 0");
-  if (plan.threads == 0) wrong.error("threads", "expected 1 or more, found 0");
+  if (plan.threads == 0 || plan.threads > kMaxThreads) {
+    wrong.error("threads", fmt::format("expected 1 to {}, found {}", kMaxThreads, plan.threads));
+  }
   if (options.resume && options.store.empty()) {
     wrong.error("resume", "there is no store to go on with");
   }

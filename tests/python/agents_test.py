@@ -152,6 +152,27 @@ class AgentsTest(unittest.TestCase):
             with self.assertRaises(ValueError):
                 agent.believe(Structure("p", (unwritable,)))
 
+    def test_refuses_terms_that_are_nested_without_end(self):
+        interpreter = self.interpreter()
+
+        @interpreter.function("my.cyclic")
+        def cyclic():
+            endless = []
+            endless.append(endless)
+            return endless
+
+        agent = interpreter.add_agent(
+            "ann", "!a. +!a <- my.cyclic(X). -!a[error(E)] <- .print(E). !deep(100000, x). +!deep(0, T) <- +t(T). "
+                   "+!deep(N, T) <- !deep(N-1, f(T))."
+        )
+        with contextlib.redirect_stderr(io.StringIO()):
+            interpreter.run()
+        self.assertIn("[ann] python_error", self.lines)
+        for look in (lambda: agent.ask("t(T)"), lambda: agent.beliefs):
+            with self.assertRaises(RecursionError):
+                look()
+        self.assertTrue(agent.holds("t(f(_))"))
+
     def test_runs_interpreters_in_threads_and_one_in_one_thread_at_a_time(self):
         outcomes = []
 

@@ -56,11 +56,14 @@ class ScenarioTest(unittest.TestCase):
         with self.assertRaises(jaywalk.Error) as caught:
             jaywalk.load_scenario("paper", behaviours={"mine": "!go.\n+!go <- move(."})
         self.assertRegex(str(caught.exception), r"mine\.asl:2:\d+: error")
+        with self.assertRaisesRegex(ValueError, "a behaviour's name"):
+            jaywalk.load_scenario("paper", behaviours={"../mine": "!go."})
         with self.assertRaises(jaywalk.Error):
             jaywalk.load_scenario("no such scenario")
-        with self.assertRaises(jaywalk.Error) as caught:
-            jaywalk.compare("paper", tests=0)
-        self.assertIn("tests: error", str(caught.exception))
+        for options in ({"tests": 0}, {"agents": [1, 0]}, {"agents": 10**9}, {"threads": 10**6}, {"seed": -1}):
+            (name,) = options
+            with self.assertRaisesRegex(ValueError, f"{name}: expected a whole number"):
+                jaywalk.compare("paper", **options)
         with self.assertRaises(jaywalk.Error):
             jaywalk.load_scenario("paper").run("proximty")
         with self.assertRaisesRegex(KeyError, "no measure 'acuracy'"):

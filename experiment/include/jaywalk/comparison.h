@@ -27,7 +27,7 @@ struct ComparisonOptions {
   std::optional<std::uint64_t> tests;
   std::optional<std::vector<std::uint32_t>> agents;
   std::optional<std::uint64_t> seed;
-  /// At least 1.
+  /// 1 to 1024.
   unsigned threads = 1;
   /// By what tests are judged; nothing: the scenario's assertions, without metrics.
   std::optional<JudgingRules> rules;

@@ -52,8 +52,9 @@ struct ScenarioChoice {
 struct TestChoice {
   /// By name; empty: the first one.
   std::string behaviour;
+  /// 1 to 10,000.
   std::uint32_t agents = 1;
-  /// From 0.
+  /// From 0, less than 10,000,000.
   std::uint64_t test = 0;
   /// Nothing: the scenario's.
   std::optional<std::uint64_t> seed;

@@ -71,7 +71,7 @@ struct SearchRunOptions {
   /// Nothing: the file's, or 0 and 1.
   std::optional<std::uint64_t> seed;
   std::optional<std::uint32_t> repetitions;
-  /// At least 1.
+  /// 1 to 1024.
   unsigned threads = 1;
   /// A store that keeps all tests of a search that was read from a file; empty: none.
   std::string store;

@@ -29,8 +29,21 @@ TEST_F(Library, RefusesAComparisonWithoutTestsAgentsOrThreads) {
   EXPECT_THAT(refusal({.tests = 0}), HasSubstr("tests: error: expected 1 to "));
   EXPECT_THAT(refusal({.agents = std::vector<std::uint32_t>{}}), HasSubstr("agents: error:"));
   EXPECT_THAT(refusal({.agents = std::vector<std::uint32_t>{2, 0}}), HasSubstr("agents: error:"));
-  EXPECT_THAT(refusal({.threads = 0}), HasSubstr("threads: error: expected 1 or more, found 0"));
+  EXPECT_THAT(refusal({.threads = 0}), HasSubstr("threads: error: expected 1 to 1024, found 0"));
+  EXPECT_THAT(refusal({.threads = 100'000}), HasSubstr("threads: error:"));
+  EXPECT_THAT(
+      refusal({.agents = std::vector<std::uint32_t>{1'000'000'000}}),
+      HasSubstr("agents: error: expected one number of agents or more, each from 1 to 10000"));
   EXPECT_THAT(refusal({.resume = true}), HasSubstr("there is no store to go on with"));
+}
+
+TEST_F(Library, RefusesTestsThatAreTooGreat) {
+  const auto why = [&](const TestChoice& choice) {
+    return scenario_.run(choice).diagnostics().render();
+  };
+  EXPECT_THAT(why({.agents = 0}), HasSubstr("a test needs at least one agent"));
+  EXPECT_THAT(why({.agents = 1'000'000'000}), HasSubstr("a test has at most 10000 agents"));
+  EXPECT_THAT(why({.test = 10'000'000}), HasSubstr("test: expected 0 to 9999999"));
 }
 
 TEST_F(Library, ListsTheTestsOfABehaviourThatTheStoreHas) {

@@ -106,7 +106,7 @@ TEST(SearchOfAProgram, RefusesOptionsThatMeanNothing) {
   const auto refusal = [&](const SearchRunOptions& options) {
     return search.value().run(options).diagnostics().render();
   };
-  EXPECT_THAT(refusal({.threads = 0}), HasSubstr("threads: error: expected 1 or more, found 0"));
+  EXPECT_THAT(refusal({.threads = 0}), HasSubstr("threads: error: expected 1 to 1024, found 0"));
   EXPECT_THAT(refusal({.repetitions = 0}), HasSubstr("repetitions: error: expected 1 or more"));
   EXPECT_THAT(refusal({.resume = true}), HasSubstr("there is no store to go on with"));
   EXPECT_THAT(refusal({.store = "x.gpkg"}), HasSubstr("read from a file"));
