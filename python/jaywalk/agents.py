@@ -21,7 +21,7 @@ class RunOutcome:
     """How a run ended.
 
     `end` is "idle" (nothing is left to do), "stopped" (by `.stopMAS`), "finished" (the environment says so), "limit"
-    or "looping" (`message` says which limit, or which agent never rests).
+    or "looping" (`message` says which limit, or which agent never rests), "interrupted" (an exception has ended it).
     """
 
     end: str
@@ -130,6 +130,8 @@ class Interpreter:
         max_cycles: int = 0,
         realtime: bool = False,
     ):
+        if environment is not None and not isinstance(environment, Environment):
+            raise TypeError(f"the environment is an object of a class derived from Environment, found {environment!r}")
         self._native = _native.Interpreter(
             whole("seed", seed), print, log, environment, whole("max_cycles", max_cycles), realtime
         )

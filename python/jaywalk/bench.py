@@ -386,6 +386,8 @@ def load_scenario(
     programs, or a dict of names and texts of AgentSpeak; by default all of the scenario's. `av` is a class derived from
     AV that drives instead of the scenario's AV. Errors: jaywalk.Error with the places of all mistakes.
     """
+    if av is not None and not callable(av):
+        raise TypeError(f"av is a class derived from AV, found {av!r}")
     text = None
     name = os.fspath(scenario)
     if "\n" in name:

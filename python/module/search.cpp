@@ -32,6 +32,11 @@ struct Failure {
     if (!thrown) thrown = std::current_exception();
     is_ended = true;
   }
+  template <class Exception>
+  void keep(Exception exception) {
+    if (!thrown) thrown = std::make_exception_ptr(std::move(exception));
+    is_ended = true;
+  }
 };
 
 py::tuple to_tuple(std::span<const double> values) {
@@ -87,11 +92,17 @@ class PyGenerator final : public search::InputGenerator {
     try {
       const py::cpp_function valid(
           [&](const std::vector<double>& input) { return is_valid(input); });
-      return self_->attr("ask")(valid, spent).cast<std::vector<double>>();
+      const py::object input = self_->attr("ask")(valid, spent);
+      if (py::isinstance<py::sequence>(input) || py::hasattr(input, "__array__")) {
+        return input.cast<std::vector<double>>();
+      }
+      throw py::type_error("ask() returns no list of numbers");
     } catch (py::error_already_set&) {
       failure_.keep_current();
-    } catch (py::cast_error&) {
+    } catch (py::type_error&) {
       failure_.keep_current();
+    } catch (py::cast_error&) {
+      failure_.keep(py::type_error("ask() returns no list of numbers"));
     }
     return {};
   }

@@ -141,6 +141,8 @@ class AgentsTest(unittest.TestCase):
         interpreter = self.interpreter()
         with self.assertRaisesRegex(ValueError, "has a dot"):
             interpreter.action("note")
+        with self.assertRaisesRegex(TypeError, "derived from Environment"):
+            jaywalk.Interpreter(environment=object())
         agent = interpreter.add_agent("ann")
         with self.assertRaisesRegex(ValueError, "before the first program"):
             interpreter.action("my.note")

@@ -60,6 +60,8 @@ class ScenarioTest(unittest.TestCase):
             jaywalk.load_scenario("paper", behaviours={"../mine": "!go."})
         with self.assertRaises(jaywalk.Error):
             jaywalk.load_scenario("no such scenario")
+        with self.assertRaisesRegex(TypeError, "a class derived from AV"):
+            jaywalk.load_scenario("braking", av=jaywalk.AV())
         for options in ({"tests": 0}, {"agents": [1, 0]}, {"agents": 10**9}, {"threads": 10**6}, {"seed": -1}):
             (name,) = options
             with self.assertRaisesRegex(ValueError, f"{name}: expected a whole number"):

@@ -88,6 +88,13 @@ class SearchTest(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "no idea"):
             jaywalk.search(distance, SPACE, generator=Broken, budget=10, **SCALE)
 
+        class Wordy(Narrowing):
+            def ask(self, is_valid, spent):
+                return ["far"]
+
+        with self.assertRaisesRegex(TypeError, "no list of numbers"):
+            jaywalk.search(distance, SPACE, generator=Wordy, budget=10, **SCALE)
+
         def interrupted(x, y):
             raise KeyboardInterrupt
 
