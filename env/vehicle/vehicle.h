@@ -143,8 +143,8 @@ struct VehicleModel {
 
 [[nodiscard]] std::unique_ptr<VehicleController> make_own(const OwnVehicle& vehicle);
 
-/// The model, or the driver in its place, with its defects on it. Null for the model `constant`,
-/// which needs no controller. REQUIRES: the model and the defects exist.
+/// The model, or the driver that replaces it, with its defects on it. Null for the model
+/// `constant`, which needs no controller. REQUIRES: the model and the defects exist.
 [[nodiscard]] std::unique_ptr<VehicleController> make_controller(
     const VehicleParameters& parameters);
 

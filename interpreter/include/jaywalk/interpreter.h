@@ -121,7 +121,7 @@ class Interpreter {
   /// Each answer in turn, as it is found; `answer` returns false to stop.
   [[nodiscard]] Diagnostics ask(AgentId agent, const std::string& query,
                                 const std::function<bool(const Answer&)>& answer);
-  /// The same as terms: the query's variables that have a value.
+  /// Each answer as terms: the query's variables that have a value.
   struct BoundVariable {
     std::string_view name;
     Value value;
@@ -150,7 +150,7 @@ class Interpreter {
   [[nodiscard]] const std::string& agent_name(AgentId agent) const;
   /// Its beliefs as texts, in the order of the belief base.
   [[nodiscard]] std::vector<std::string> beliefs(AgentId agent) const;
-  /// The same as terms; nothing while the interpreter is at work.
+  /// Its beliefs as terms; none while the interpreter is at work.
   void each_belief(AgentId agent, const std::function<void(Terms terms, Value belief)>& callback);
   /// The goals of each intention, the outermost first: "test_av > cross > step(right)".
   [[nodiscard]] std::vector<std::string> intentions(AgentId agent) const;
