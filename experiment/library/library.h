@@ -13,13 +13,15 @@
 
 namespace jaywalk {
 
-/// Threads that a comparison or search may have.
-inline constexpr unsigned kMaxThreads = 1024;
-
 /// A recording and its judgement. The outcome is left to the caller.
 [[nodiscard]] TestReport report_of(const Recording& recording, const Criteria& criteria,
                                    const Ground& ground);
 [[nodiscard]] ComparisonReport report_of(const Comparison& comparison);
+
+/// The test, with the head start that the tests before it leave. Errors: there is no such test, or
+/// it was interrupted.
+[[nodiscard]] Result<TestSetup> setup_of(const RunnableScenario& scenario,
+                                         const TestChoice& choice);
 
 /// The files that a scenario or search may read; `data_folder` as in ScenarioChoice.
 [[nodiscard]] SourceFiles readable_files(const std::string& data_folder,

@@ -8,6 +8,7 @@
 #include "experiment/compare/carry_over.h"
 #include "experiment/library/library.h"
 #include "experiment/test_run/test_run.h"
+#include "interpreter/support/diagnostics.h"
 #include <jaywalk/scenario.h>
 
 namespace jaywalk {
@@ -53,9 +54,9 @@ Diagnostics put_in(std::shared_ptr<const OwnVehicle> vehicle, Scenario& scenario
   return found;
 }
 
-Diagnostics no_such_test(const std::string& scenario, std::string why) {
+Diagnostics no_such_test(const std::string& scenario, std::string why, std::string hint = {}) {
   Diagnostics diagnostics;
-  diagnostics.error(scenario, std::move(why));
+  diagnostics.error(scenario, std::move(why), std::move(hint));
   return diagnostics;
 }
 
@@ -132,33 +133,42 @@ Result<TestReport> RunnableScenario::run(const TestChoice& choice) const {
   return run(choice, rules());
 }
 
-Result<TestReport> RunnableScenario::run(const TestChoice& choice,
-                                         const JudgingRules& rules) const {
-  const auto& all = prepared()->behaviours();
+Result<TestSetup> setup_of(const RunnableScenario& scenario, const TestChoice& choice) {
+  const PreparedScenario& prepared = *scenario.prepared();
+  const auto& all = prepared.behaviours();
   const auto behaviour = choice.behaviour.empty()
                              ? all.begin()
                              : std::ranges::find(all, choice.behaviour, &PreparedBehaviour::name);
   if (behaviour == all.end()) {
-    return no_such_test(name(), fmt::format("there is no behaviour '{}'", choice.behaviour));
+    return no_such_test(scenario.name(),
+                        fmt::format("there is no behaviour '{}'", choice.behaviour),
+                        did_you_mean(choice.behaviour, scenario.behaviours()));
   }
-  TestSetup setup{.behaviour = static_cast<std::size_t>(behaviour - all.begin()),
-                  .agents = choice.agents,
-                  .seed = choice.seed.value_or(seed()),
-                  .test = choice.test};
+  const TestSetup setup{.behaviour = static_cast<std::size_t>(behaviour - all.begin()),
+                        .agents = choice.agents,
+                        .seed = choice.seed.value_or(scenario.seed()),
+                        .test = choice.test};
   if (choice.test >= kMaxTests) {
-    return no_such_test(
-        name(), fmt::format("test: expected 0 to {}, found {}", kMaxTests - 1, choice.test));
+    return no_such_test(scenario.name(), fmt::format("test: expected 0 to {}, found {}",
+                                                     kMaxTests - 1, choice.test));
   }
-  if (std::string why = problem(*prepared(), setup); !why.empty()) {
-    return no_such_test(name(), std::move(why));
+  if (std::string why = problem(prepared, setup); !why.empty()) {
+    return no_such_test(scenario.name(), std::move(why));
   }
-  const auto chained = in_its_chain(*prepared(), setup, [&] {
+  auto chained = in_its_chain(prepared, setup, [&] {
     return choice.interrupted && choice.interrupted() ? Proceed::no : Proceed::yes;
   });
-  if (!chained) return no_such_test(name(), "the test was interrupted");
+  if (!chained) return no_such_test(scenario.name(), "the test was interrupted");
+  return *std::move(chained);
+}
+
+Result<TestReport> RunnableScenario::run(const TestChoice& choice,
+                                         const JudgingRules& rules) const {
+  const auto setup = setup_of(*this, choice);
+  if (!setup) return setup.diagnostics();
   Recording recording;
   const TestRun run =
-      run_test(*prepared(), *chained,
+      run_test(*prepared(), setup.value(),
                {.record = &recording, .print = choice.print, .interrupted = choice.interrupted});
   if (run.interrupted) return no_such_test(name(), "the test was interrupted");
   const Criteria none;

@@ -13,6 +13,8 @@ namespace jaywalk {
 
 /// More agents in a test than this are a slip.
 inline constexpr std::uint32_t kMaxAgents = 10'000;
+/// And more threads.
+inline constexpr unsigned kMaxThreads = 1024;
 
 /// Numbers of agents and ranges of them, in the order given, each once. `subject` names the list in
 /// messages ("--agents").

@@ -8,7 +8,7 @@ import os
 import sys
 import typing
 from dataclasses import dataclass
-from typing import Any, Callable, Iterable, Iterator, Optional, Union
+from typing import Any, Callable, Iterable, Optional, Union
 
 from jaywalk import _native
 from jaywalk.terms import Atom, Diagnostic, Structure, WrongArgument, as_literal, text_of, whole

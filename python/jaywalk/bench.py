@@ -8,16 +8,12 @@ import os
 import pathlib
 import re
 import tempfile
-from dataclasses import dataclass, field
-from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Union
+from dataclasses import dataclass
+from typing import Any, Callable, Iterable, Mapping, Optional, Union
 
 from jaywalk import _native
 from jaywalk.agents import is_path
 from jaywalk.terms import Diagnostic, Structure, whole, whole_or_none
-
-_MOST_AGENTS = 10_000
-_MOST_TESTS = 10_000_000
-_MOST_THREADS = 1024
 
 Path = Union[str, os.PathLike]
 
@@ -55,7 +51,7 @@ class AV:
         `view` has what the sensors see: time_s, period_s, speed_mps, cruise_mps, left_m, right_m, lane_left_m,
         lane_right_m, front_m, length_m, range_m, and the lists actors, stop_lines, obstacles and lanes. An actor has
         id, kind, gap_m (from the front of the AV; negative beside and behind it), left_m, right_m, speed_ahead_mps,
-        speed_right_mps, length_m and heading_rad. docs/reference/vehicles.md says more.
+        speed_right_mps, length_m and heading_rad. docs/reference/controller_protocol.md says what each is.
         """
         raise NotImplementedError
 
@@ -226,10 +222,10 @@ class Scenario:
         `resume` lets it be continued. `progress(done, total)` is called some times a second."""
         given = None if agents is None else list(agents) if isinstance(agents, Iterable) else [agents]
         said = self._native.compare(
-            whole_or_none("tests", tests, 1, _MOST_TESTS),
-            given if given is None else [whole("agents", each, 1, _MOST_AGENTS) for each in given],
+            whole_or_none("tests", tests, 1, _native.MOST_TESTS),
+            given if given is None else [whole("agents", each, 1, _native.MOST_AGENTS) for each in given],
             whole_or_none("seed", seed),
-            whole("threads", min(os.cpu_count() or 1, _MOST_THREADS) if threads is None else threads, 1, _MOST_THREADS),
+            whole("threads", min(os.cpu_count() or 1, _native.MOST_THREADS) if threads is None else threads, 1, _native.MOST_THREADS),
             _assertion_files(assertions),
             metrics,
             os.fspath(store) if store is not None else "",
@@ -353,7 +349,7 @@ class Store:
     ) -> list[dict[str, Any]]:
         """Its tests, or those that are wanted, in the order of their ids: id, behaviour, agents, test, vehicle,
         succeeded, errored, ended_by, ticks, score."""
-        return self._native.tests(behaviour, whole_or_none("agents", agents, 0, _MOST_AGENTS), succeeded, errored)
+        return self._native.tests(behaviour, whole_or_none("agents", agents, 0, _native.MOST_AGENTS), succeeded, errored)
 
     def to_dataframe(self):
         """All tests as a pandas.DataFrame."""
@@ -409,7 +405,7 @@ def load_scenario(
         elif behaviours is not None:
             single = isinstance(behaviours, (str, os.PathLike))
             chosen = [os.fspath(each) for each in ([behaviours] if single else behaviours)]
-            include += {os.path.dirname(os.path.abspath(each)) for each in chosen if is_path(each)}
+            include += dict.fromkeys(os.path.dirname(os.path.abspath(each)) for each in chosen if is_path(each))
         native = _native.Scenario.load(
             name, text, preset, sets, chosen, [os.fspath(each) for each in policies], include, data_folder(), av
         )
@@ -439,8 +435,8 @@ def judge(
     """Judges a drive that was recorded elsewhere, on the scenario's ground, by the files `assertions` or the scenario's.
 
     `trace` is a pandas.DataFrame, the path of a CSV file, or a text of CSV with a line break: a row for each actor at
-    each time, with the columns time (s), actor, kind, x, y (m) and perhaps heading, speed, length, width, event; the names may have
-    units (`time_s`, `x_m`), so that a test's `to_dataframe()` can be given.
+    each time, with the columns time (s), actor, kind, x, y (m) and perhaps heading, speed, length, width, event. The names
+    may have units (`time_s`, `x_m`), so that a test's `to_dataframe()` can be given.
     """
     name = "trace.csv"
     if hasattr(trace, "to_csv"):
@@ -460,7 +456,7 @@ def measures() -> dict[str, str]:
 
 
 def _test(agents: Any, test: Any, seed: Any) -> tuple[int, int, Optional[int]]:
-    return whole("agents", agents, 1, _MOST_AGENTS), whole("test", test, 0, _MOST_TESTS - 1), whole_or_none("seed", seed)
+    return whole("agents", agents, 1, _native.MOST_AGENTS), whole("test", test, 0, _native.MOST_TESTS - 1), whole_or_none("seed", seed)
 
 
 def _assertion_files(assertions: Optional[Iterable[Path]]) -> Optional[list[str]]:

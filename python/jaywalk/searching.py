@@ -2,12 +2,13 @@
 """Search-based testing: looks for inputs of a function, or of a search's file, that fail."""
 from __future__ import annotations
 
+import json
 import math
 import os
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Union
 
 from jaywalk import _native
-from jaywalk.bench import _MOST_THREADS, Path, _dataframe, data_folder, shipped
+from jaywalk.bench import Path, _dataframe, data_folder, shipped
 from jaywalk.terms import whole, whole_or_none
 
 Range = tuple[float, float]
@@ -100,7 +101,7 @@ def search(
     """
     seed = whole_or_none("seed", seed)
     repetitions = whole_or_none("repetitions", repetitions, 1, 2**31 - 1)
-    threads = whole("threads", threads, 1, _MOST_THREADS)
+    threads = whole("threads", threads, 1, _native.MOST_THREADS)
     budget = whole_or_none("budget", budget, 1)
     if not callable(fitness):
         given = [] if generator is None else [generator] if isinstance(generator, str) else list(generator)
@@ -109,9 +110,7 @@ def search(
             name, text = "text.yaml", name
         else:
             name = shipped(name, "scenarios/search")
-        from json import dumps
-
-        sets = [f"{key}={dumps(value)}" for key, value in (params or {}).items()]
+        sets = [f"{key}={json.dumps(value)}" for key, value in (params or {}).items()]
         sets += [] if budget is None else [f"budget.tests={budget}"]
         return SearchResult(
             _native.search_file(name, text, sets, given, data_folder(), seed, repetitions, threads, os.fspath(store or ""), resume, progress)
@@ -130,14 +129,11 @@ def search(
             return lambda values: function(scaled(values))
         return lambda values: function(**dict(zip(names, scaled(values))))
 
-    measured = called(fitness)
     chosen = ["prospect"] if generator is None else [generator] if isinstance(generator, (str, type)) else list(generator)
     said = _native.search_function(
-        lambda values: [measured(values)],
+        called(fitness),
         None if why_invalid is None else called(why_invalid),
         len(ranges),
-        ["value"],
-        "value",
         harmless,
         worst,
         fails_at,

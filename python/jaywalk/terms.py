@@ -9,6 +9,7 @@ from __future__ import annotations
 import functools
 import math
 import sys
+import threading
 import traceback
 from dataclasses import dataclass, field
 from typing import Any, Optional
@@ -28,7 +29,7 @@ class Atom:
 
 
 class Structure:
-    """A literal with arguments or annotations: `Structure("at", 2, 5)` is `at(2,5)`, "~at" its strong negation.
+    """A literal with arguments or annotations: `Structure("at", (2, 5))` is `at(2,5)`, "~at" its strong negation.
 
     Equal structures have equal functors, arguments and annotations; a structure is iterated over its arguments.
     """
@@ -115,13 +116,17 @@ def literal(text: str) -> Structure:
     return as_literal(found)
 
 
-@functools.lru_cache(maxsize=1)
-def _parser():
-    from jaywalk import _native
+_of_thread = threading.local()
 
-    interpreter = _native.Interpreter(0, None, None, None, 0, False)
-    interpreter.add_agent("parser", interpreter.load("parser", "", []))
-    return interpreter
+
+def _parser():
+    """An interpreter with one agent, each thread its own: one thread at a time may use an interpreter."""
+    if not hasattr(_of_thread, "parser"):
+        from jaywalk import _native
+
+        _of_thread.parser = _native.Interpreter(0, None, None, None, 0, False)
+        _of_thread.parser.add_agent("parser", _of_thread.parser.load("parser", "", []))
+    return _of_thread.parser
 
 
 def as_literal(value: Any) -> Structure:

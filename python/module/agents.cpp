@@ -2,7 +2,7 @@
 // Agents from Python: the interpreter, internal actions as functions, worlds as classes.
 
 #include <array>
-#include <exception>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,37 +24,14 @@
 namespace jaywalk::python {
 namespace {
 
-/// What Python has thrown while the interpreter was at work: the run ends, and its caller gets it.
-class Pending {
- public:
-  void keep_current() {
-    if (!failure_) failure_ = std::current_exception();
-  }
-  [[nodiscard]] bool is_there() const { return failure_ != nullptr; }
-  void rethrow() {
-    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-  }
-
- private:
-  std::exception_ptr failure_;
-};
-
 /// Exceptions of functions and worlds fail the action. KeyboardInterrupt, SystemExit and their like
 /// end the run.
-std::string failure_text(py::error_already_set& error, const std::string& where, Pending& pending) {
+std::string failure_text(py::error_already_set& error, const std::string& where, Thrown& thrown) {
   if (!error.matches(PyExc_Exception)) {
-    pending.keep_current();
+    thrown.keep_current();
     return "interrupted";
   }
   return report(where, error);
-}
-
-/// A Python iterator that gives several answers; released with Python's lock held.
-std::shared_ptr<py::iterator> shared_iterator(const py::object& generator) {
-  return {new py::iterator(py::iter(generator)), [](const py::iterator* iterator) {
-            const py::gil_scoped_acquire acquire;
-            delete iterator;
-          }};
 }
 
 class World;
@@ -96,16 +73,24 @@ class PyInterpreter {
   }
   void include(AgentId agent, const std::string& name, const std::string& text);
 
-  [[nodiscard]] std::vector<std::string> intentions(AgentId agent) const {
+  [[nodiscard]] std::vector<std::string> intentions(AgentId agent) {
+    const Use use(*this);
     return interpreter_->intentions(agent);
   }
-  [[nodiscard]] bool is_alive(AgentId agent) const { return interpreter_->is_alive(agent); }
-  [[nodiscard]] const std::string& agent_name(AgentId agent) const {
+  [[nodiscard]] bool is_alive(AgentId agent) {
+    const Use use(*this);
+    return interpreter_->is_alive(agent);
+  }
+  [[nodiscard]] const std::string& agent_name(AgentId agent) {
+    const Use use(*this);
     return interpreter_->agent_name(agent);
   }
-  [[nodiscard]] double now_ms() const { return interpreter_->now_ms(); }
+  [[nodiscard]] double now_ms() {
+    const Use use(*this);
+    return interpreter_->now_ms();
+  }
 
-  Pending& pending() { return pending_; }
+  Thrown& thrown() { return thrown_; }
   [[nodiscard]] SymbolTable& symbols() { return interpreter_->mas().symbols(); }
 
  private:
@@ -135,12 +120,9 @@ class PyInterpreter {
                     Diagnostics (Interpreter::*function)(AgentId, const std::string&),
                     AgentId agent, const std::string& text);
   Outcome call(Call& call, const std::string& name, bool has_result, const py::function& body);
-  bool is_interrupted();
-  [[nodiscard]] std::function<void(std::string_view)> line_printer(const py::object& print);
 
-  Pending pending_;
+  Thrown thrown_;
   std::thread::id user_;  // changed with Python's lock held
-  std::uint64_t asked_ = 0;
   std::vector<py::function> functions_;
   std::unique_ptr<Interpreter> interpreter_;
 };
@@ -149,7 +131,14 @@ class PyInterpreter {
 class World final : public Environment {
  public:
   World(PyInterpreter& interpreter, py::object self)
-      : interpreter_(interpreter), self_(std::move(self)) {}
+      : interpreter_(interpreter),
+        self_(std::move(self)),
+        tick_ms_(self_.attr("tick_ms").cast<double>()) {
+    if (!(tick_ms_ > 0 && std::isfinite(tick_ms_))) {
+      throw py::value_error("tick_ms: expected a number of milliseconds above 0, found " +
+                            py::repr(self_.attr("tick_ms")).cast<std::string>());
+    }
+  }
 
   void perceive(AgentId agent, Percepts& percepts) const override {
     const py::gil_scoped_acquire acquire;
@@ -158,9 +147,9 @@ class World final : public Environment {
       const py::object told = self_.attr("percepts")(interpreter_.agent_name(agent));
       if (!told.is_none()) known = read(told);  // None: they are what they were
     } catch (py::error_already_set&) {
-      interpreter_.pending().keep_current();
+      interpreter_.thrown().keep_current();
     } catch (py::builtin_exception&) {
-      interpreter_.pending().keep_current();
+      interpreter_.thrown().keep_current();
     }
     for (const Percept& each : known) add_percept(percepts, each.predicate, each.args);
   }
@@ -175,20 +164,29 @@ class World final : public Environment {
       } catch (py::error_already_set& error) {
         results[i] = {
             .succeeded = false,
-            .reason = failure_text(error, "act() of the environment", interpreter_.pending())};
+            .reason = failure_text(error, "act() of the environment", interpreter_.thrown())};
       }
     }
   }
 
-  void advance() override { call("advance"); }
-  [[nodiscard]] bool finished() const override {
-    const py::object is_finished = call("finished");
-    return is_finished && !is_finished.is_none() && py::bool_(is_finished);
-  }
-  [[nodiscard]] double tick_ms() const override {
+  void advance() override {
     const py::gil_scoped_acquire acquire;
-    return self_.attr("tick_ms").cast<double>();
+    try {
+      self_.attr("advance")();
+    } catch (py::error_already_set&) {
+      interpreter_.thrown().keep_current();
+    }
   }
+  [[nodiscard]] bool finished() const override {
+    const py::gil_scoped_acquire acquire;
+    try {
+      return bool(py::bool_(self_.attr("finished")()));
+    } catch (py::error_already_set&) {
+      interpreter_.thrown().keep_current();
+      return true;
+    }
+  }
+  [[nodiscard]] double tick_ms() const override { return tick_ms_; }
 
  private:
   struct Percept {
@@ -196,39 +194,17 @@ class World final : public Environment {
     std::vector<Value> args;
   };
 
-  py::object call(const char* function) const {
-    const py::gil_scoped_acquire acquire;
-    try {
-      return self_.attr(function)();
-    } catch (py::error_already_set&) {
-      interpreter_.pending().keep_current();
-      return {};
-    }
-  }
-
   [[nodiscard]] Value percept_arg(py::handle arg) const {
-    if (PyBool_Check(arg.ptr())) {
-      return Value::atom(
-          predicate_named(interpreter_.symbols(), arg.ptr() == Py_True ? "true" : "false", 0));
-    }
-    if (py::isinstance(arg, atom_class())) {
-      return Value::atom(
-          predicate_named(interpreter_.symbols(), arg.attr("name").cast<std::string>(), 0));
-    }
-    const double number = PyFloat_AsDouble(arg.ptr());
-    if (number == -1 && PyErr_Occurred() != nullptr) {
-      PyErr_Clear();
-      throw py::type_error("a percept's arguments are numbers and atoms, found " +
-                           py::repr(arg).cast<std::string>());
-    }
-    return Value::number(number);
+    const Value value = from_python(Terms(heap_, interpreter_.symbols()), arg);
+    if (value.is_number() || value.is_atom()) return value;
+    throw py::type_error("a percept's arguments are numbers and atoms, found " +
+                         py::repr(arg).cast<std::string>());
   }
 
   [[nodiscard]] std::vector<Percept> read(const py::object& told) const {
-    static const auto* const literal = new py::object(python_class("as_literal"));
     std::vector<Percept> percepts;
     for (const py::handle each : told) {
-      const py::object read = (*literal)(each);
+      const py::object read = as_literal(each);
       const auto args = read.attr("args").cast<py::tuple>();
       if (py::len(read.attr("annotations")) != 0) {
         throw py::type_error("a percept has no annotations, found " +
@@ -254,21 +230,10 @@ class World final : public Environment {
 
   PyInterpreter& interpreter_;
   py::object self_;
-  mutable Heap heap_;  // to read terms with; nothing is put in it
+  double tick_ms_;
+  mutable Heap heap_;  // to read terms with; numbers and atoms are not in it
   mutable std::map<AgentId, std::vector<Percept>> known_;
 };
-
-std::function<void(std::string_view)> PyInterpreter::line_printer(const py::object& print) {
-  if (print.is_none()) return {};
-  return [this, print](std::string_view line) {
-    const py::gil_scoped_acquire acquire;
-    try {
-      print(py::str(line.data(), line.size()));
-    } catch (py::error_already_set&) {
-      pending_.keep_current();
-    }
-  };
-}
 
 PyInterpreter::PyInterpreter(std::uint64_t seed, const py::object& print, const py::object& log,
                              const py::object& world, std::uint64_t max_cycles, bool realtime) {
@@ -276,28 +241,14 @@ PyInterpreter::PyInterpreter(std::uint64_t seed, const py::object& print, const 
   options.seed = seed;
   options.max_cycles = max_cycles;
   options.realtime = realtime;
-  options.print = line_printer(print);
-  options.log = line_printer(log);
-  options.interrupted = [this] { return is_interrupted(); };
+  options.print = line_printer(print, thrown_);
+  options.log = line_printer(log, thrown_);
+  options.interrupted = [this] { return thrown_.is_interrupted(); };
   Interpreter::EnvironmentMaker make_world;
   if (!world.is_none()) {
     make_world = [&](SymbolTable&) { return std::make_unique<World>(*this, world); };
   }
   interpreter_ = std::make_unique<Interpreter>(std::move(options), make_world);
-}
-
-bool PyInterpreter::is_interrupted() {
-  if (pending_.is_there()) return true;
-  constexpr std::uint64_t kBetweenSignals = 64;
-  if (asked_++ % kBetweenSignals != 0) return false;
-  const py::gil_scoped_acquire acquire;
-  if (PyErr_CheckSignals() == 0) return false;
-  try {
-    throw py::error_already_set();
-  } catch (py::error_already_set&) {
-    pending_.keep_current();
-  }
-  return true;
 }
 
 Outcome PyInterpreter::call(Call& call, const std::string& name, bool has_result,
@@ -314,28 +265,28 @@ Outcome PyInterpreter::call(Call& call, const std::string& name, bool has_result
     if (!PyIter_Check(found.ptr())) {
       return call.result(inputs, from_python(call.terms(), found));
     }
-    return call.each([this, name, inputs, answers = shared_iterator(found)](Call& again) {
+    return call.each([this, name, inputs, answers = shared(found)](Call& again) {
       const py::gil_scoped_acquire acquire_again;
       try {
-        while (*answers != py::iterator::sentinel()) {
-          const py::object answer = py::reinterpret_borrow<py::object>(**answers);
-          ++*answers;
+        while (PyObject* const next = PyIter_Next(answers->ptr())) {
+          const auto answer = py::reinterpret_steal<py::object>(next);
           if (again.unify(inputs, from_python(again.terms(), answer))) return true;
         }
+        if (PyErr_Occurred() != nullptr) throw py::error_already_set();
       } catch (py::error_already_set& error) {
-        (void)failure_text(error, name, pending_);
+        (void)failure_text(error, name, thrown_);
       } catch (py::builtin_exception& error) {
-        (void)python_class("report_exception")(name, py::str(error.what()));
+        (void)term_part("report_exception")(name, py::str(error.what()));
       }
       return false;
     });
   } catch (py::error_already_set& error) {
-    const py::object wrong = python_class("WrongArgument");
+    const py::object wrong = term_part("WrongArgument");
     if (error.matches(wrong)) {
       return call.wrong_argument(error.value().attr("index").cast<std::size_t>(),
                                  error.value().attr("expected").cast<std::string>());
     }
-    return call.fail("python_error", failure_text(error, name, pending_));
+    return call.fail("python_error", failure_text(error, name, thrown_));
   } catch (py::builtin_exception& error) {
     return call.fail("python_error", name + ": " + error.what());
   }
@@ -367,7 +318,7 @@ py::dict PyInterpreter::run() {
     const py::gil_scoped_release release;
     outcome = interpreter_->run();
   }
-  pending_.rethrow();
+  thrown_.rethrow();
   constexpr std::array kEnds{"stopped", "idle", "finished", "limit", "looping", "interrupted"};
   py::dict said;
   said["end"] = kEnds[static_cast<std::size_t>(outcome.end)];
@@ -386,7 +337,7 @@ bool PyInterpreter::step() {
     const py::gil_scoped_release release;
     goes_on = interpreter_->step();
   }
-  pending_.rethrow();
+  thrown_.rethrow();
   return goes_on;
 }
 
@@ -403,11 +354,11 @@ py::list PyInterpreter::ask(AgentId agent, const std::string& query, std::size_t
           }
           answers.append(answer);
         } catch (py::error_already_set&) {
-          pending_.keep_current();
+          thrown_.keep_current();
         }
-        return !pending_.is_there() && (most == 0 || answers.size() < most);
+        return !thrown_.is_there() && (most == 0 || answers.size() < most);
       });
-  pending_.rethrow();
+  thrown_.rethrow();
   if (found.has_errors()) raise(found);
   return answers;
 }
@@ -417,12 +368,12 @@ py::list PyInterpreter::beliefs(AgentId agent) {
   py::list beliefs;
   interpreter_->each_belief(agent, [&](Terms terms, Value belief) {
     try {
-      if (!pending_.is_there()) beliefs.append(to_python(terms, belief));
+      if (!thrown_.is_there()) beliefs.append(to_python(terms, belief));
     } catch (py::error_already_set&) {
-      pending_.keep_current();
+      thrown_.keep_current();
     }
   });
-  pending_.rethrow();
+  thrown_.rethrow();
   return beliefs;
 }
 
@@ -431,14 +382,14 @@ void PyInterpreter::check(PyInterpreter& self,
                           AgentId agent, const std::string& text) {
   const Use use(self);
   const Diagnostics found = (*self.interpreter_.*function)(agent, text);
-  self.pending_.rethrow();
+  self.thrown_.rethrow();
   if (found.has_errors()) raise(found);
 }
 
 void PyInterpreter::include(AgentId agent, const std::string& name, const std::string& text) {
   const Use use(*this);
   const Diagnostics found = interpreter_->include(agent, name, text);
-  pending_.rethrow();
+  thrown_.rethrow();
   if (found.has_errors()) raise(found);
 }
 
@@ -477,12 +428,12 @@ void add_agents(py::module_& module) {
                          const std::string& text) { self.include(AgentId{agent}, name, text); })
       .def("beliefs",
            [](PyInterpreter& self, std::uint32_t agent) { return self.beliefs(AgentId{agent}); })
-      .def("intentions", [](const PyInterpreter& self,
-                            std::uint32_t agent) { return self.intentions(AgentId{agent}); })
-      .def("is_alive", [](const PyInterpreter& self,
-                          std::uint32_t agent) { return self.is_alive(AgentId{agent}); })
-      .def("agent_name", [](const PyInterpreter& self,
-                            std::uint32_t agent) { return self.agent_name(AgentId{agent}); })
+      .def("intentions",
+           [](PyInterpreter& self, std::uint32_t agent) { return self.intentions(AgentId{agent}); })
+      .def("is_alive",
+           [](PyInterpreter& self, std::uint32_t agent) { return self.is_alive(AgentId{agent}); })
+      .def("agent_name",
+           [](PyInterpreter& self, std::uint32_t agent) { return self.agent_name(AgentId{agent}); })
       .def("now_ms", &PyInterpreter::now_ms);
   module.def("check_program", &check_program);
 }

@@ -12,18 +12,18 @@
 #include "env/simulator/simulator.h"
 #include "env/vehicle/controller_processes.h"
 #include "env/world/world_spec.h"
-#include "experiment/compare/carry_over.h"
+#include "experiment/compare/experiment.h"
 #include "experiment/judge/trace_file.h"
 #include "experiment/library/library.h"
 #include "experiment/report/player/player.h"
 #include "experiment/results/reader.h"
+#include "experiment/scenario/number_list.h"
 #include "experiment/test_run/prepared_scenario.h"
 #include "experiment/test_run/test_run.h"
 #include "interpreter/term/heap.h"
 #include "python/module/values.h"
 #include <jaywalk/comparison.h>
 #include <jaywalk/store.h>
-#include <jaywalk/world.h>
 
 namespace jaywalk::python {
 namespace {
@@ -86,16 +86,12 @@ class PyDriver final : public VehicleDriver {
 
 std::shared_ptr<const OwnVehicle> own_vehicle(const py::object& make) {
   if (make.is_none()) return nullptr;
-  const auto kept = std::shared_ptr<py::object>(new py::object(make), [](const py::object* object) {
-    const py::gil_scoped_acquire acquire;
-    delete object;
-  });
   return std::make_shared<const OwnVehicle>(
       OwnVehicle{.name = py::str(py::getattr(make, "__name__", py::str("Python"))),
-                 .make = [kept] { return std::make_unique<PyDriver>(*kept); }});
+                 .make = [kept = shared(make)] { return std::make_unique<PyDriver>(*kept); }});
 }
 
-py::object optional(const std::optional<double>& value) {
+py::object or_none(const std::optional<double>& value) {
   return value ? py::object(py::float_(*value)) : py::none();
 }
 
@@ -131,7 +127,7 @@ py::dict to_python(const TestReport& report) {
   said["ticks"] = report.ticks;
   said["tick_s"] = report.tick_s;
   said["score"] = report.score;
-  said["impact_mps"] = optional(report.impact_mps);
+  said["impact_mps"] = or_none(report.impact_mps);
   said["actors"] = columns_of(report);
   py::list events;
   for (const TestEvent& each : report.events) {
@@ -141,13 +137,13 @@ py::dict to_python(const TestReport& report) {
   py::list verdicts;
   for (const TestVerdict& each : report.verdicts) {
     verdicts.append(py::make_tuple(each.assertion, std::string(name(each.verdict)),
-                                   optional(each.robustness),
+                                   or_none(each.robustness),
                                    each.tick ? py::object(py::int_(*each.tick)) : py::none()));
   }
   said["verdicts"] = verdicts;
   py::dict metrics;
   for (const MetricReading& each : report.metrics) {
-    metrics[py::str(std::string(each.metric))] = optional(each.value);
+    metrics[py::str(std::string(each.metric))] = or_none(each.value);
   }
   said["metrics"] = metrics;
   return said;
@@ -170,9 +166,9 @@ py::dict to_python(const ComparisonReport& report) {
       const bool is_count = found.is_count && found.value;
       said[py::str(measure)] = is_count
                                    ? py::object(py::int_(static_cast<std::int64_t>(*found.value)))
-                                   : optional(found.value);
-      said[py::str(measure + "_low")] = optional(found.low);
-      said[py::str(measure + "_high")] = optional(found.high);
+                                   : or_none(found.value);
+      said[py::str(measure + "_low")] = or_none(found.low);
+      said[py::str(measure + "_high")] = or_none(found.high);
     }
     for (const VerdictTally& tally : row.verdicts) {
       for (std::size_t i = 0; i < kVerdictCount; ++i) {
@@ -220,37 +216,16 @@ py::dict run(const RunnableScenario& scenario, const std::string& behaviour, std
              std::uint64_t test, const std::optional<std::uint64_t>& seed, const py::object& print,
              const std::optional<std::vector<std::string>>& assertions) {
   TestChoice choice{.behaviour = behaviour, .agents = agents, .test = test, .seed = seed};
-  std::exception_ptr failure;
-  const auto keep = [&](const std::function<void()>& work) {
-    const py::gil_scoped_acquire acquire;
-    try {
-      work();
-    } catch (py::error_already_set&) {
-      if (!failure) failure = std::current_exception();
-    }
-  };
-  if (!print.is_none()) {
-    choice.print = [&](std::string_view line) {
-      keep([&] { print(py::str(line.data(), line.size())); });
-    };
-  }
-  std::uint64_t asked = 0;
-  choice.interrupted = [&] {
-    constexpr std::uint64_t kBetweenSignals = 64;
-    if (asked++ % kBetweenSignals == 0) {
-      keep([] {
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      });
-    }
-    return failure != nullptr;
-  };
+  Thrown thrown;
+  choice.print = line_printer(print, thrown);
+  choice.interrupted = [&] { return thrown.is_interrupted(); };
   const JudgingRules rules = rules_of(scenario, assertions, true);
   std::optional<Result<TestReport>> report;
   {
     const py::gil_scoped_release release;
     report.emplace(scenario.run(choice, rules));
   }
-  if (failure) std::rethrow_exception(failure);
+  thrown.rethrow();
   return to_python(value_of(*std::move(report)));
 }
 
@@ -260,7 +235,7 @@ py::dict compare_in_python(const RunnableScenario& scenario,
                            const std::optional<std::uint64_t>& seed, unsigned threads,
                            const std::optional<std::vector<std::string>>& assertions, bool metrics,
                            const std::string& store, bool resume, const py::object& progress) {
-  std::atomic<bool> is_ended = false;
+  Thrown thrown;
   std::atomic<std::uint64_t> done = 0;
   std::atomic<std::uint64_t> total = 0;
   const ComparisonOptions options{.tests = tests,
@@ -273,39 +248,42 @@ py::dict compare_in_python(const RunnableScenario& scenario,
                                   .progress = [&](std::uint64_t now, std::uint64_t all) {
                                     done = now;
                                     total = all;
-                                    return !is_ended;
+                                    return !thrown.is_there();
                                   }};
   std::optional<Result<ComparisonReport>> report;
   wait_for([&] { report.emplace(compare(scenario, options)); },
            [&] {
              if (!progress.is_none() && total > 0) progress(done.load(), total.load());
            },
-           is_ended);
+           thrown);
   return to_python(value_of(*std::move(report)));
 }
 
-/// The page that plays a test; docs/tutorial.md shows one.
+/// The page that plays a test. Errors: those of running it.
 std::string page(const RunnableScenario& scenario, const std::string& behaviour,
                  std::uint32_t agents, std::uint64_t test,
                  const std::optional<std::uint64_t>& seed) {
+  Thrown thrown;
+  const TestChoice choice{
+      .behaviour = behaviour, .agents = agents, .test = test, .seed = seed, .interrupted = [&] {
+        return thrown.is_interrupted();
+      }};
   const PreparedScenario& prepared = *scenario.prepared();
-  const auto& all = prepared.behaviours();
-  const auto found = std::ranges::find(all, behaviour, &PreparedBehaviour::name);
-  if (found == all.end()) throw py::value_error("there is no behaviour '" + behaviour + "'");
-  const TestSetup setup{.behaviour = static_cast<std::size_t>(found - all.begin()),
-                        .agents = agents,
-                        .seed = seed.value_or(scenario.seed()),
-                        .test = test};
-  if (std::string why = problem(prepared, setup); !why.empty()) throw py::value_error(why);
-  const py::gil_scoped_release release;
-  const auto chained = in_its_chain(prepared, setup, [] { return Proceed::yes; });
   Recording recording;
   MindRecorder minds;
-  TestOptions options{.record = &recording, .observer = &minds};
-  options.observe = [&](const World&, const Mas& mas) { minds.observe(mas); };
-  (void)run_test(prepared, *chained, options);
+  auto setup = setup_of(scenario, choice);
+  if (setup) {
+    const py::gil_scoped_release release;
+    (void)run_test(prepared, setup.value(),
+                   {.observe = [&](const World&, const Mas& mas) { minds.observe(mas); },
+                    .record = &recording,
+                    .observer = &minds,
+                    .interrupted = choice.interrupted});
+  }
+  thrown.rethrow();
+  const std::uint64_t used = value_of(std::move(setup)).seed;
   return render_player(
-      fmt::format("{}, {} agents, seed {}, test {}", behaviour, agents, setup.seed, test),
+      fmt::format("{}, {} agents, seed {}, test {}", behaviour, agents, used, test),
       prepared.scenario().world->plan(), recording, minds);
 }
 
@@ -371,10 +349,9 @@ class Episode {
     if (!prepared_->actors().empty()) {
       throw py::value_error("the scenario has other agents, whose programs run in tests alone");
     }
-    TestSetup setup{.agents = agents, .seed = seed.value_or(scenario.seed()), .test = test};
-    if (std::string why = problem(*prepared_, setup); !why.empty()) throw py::value_error(why);
-    const auto chained = in_its_chain(*prepared_, setup, [] { return Proceed::yes; });
-    world_ = prepared_->world(0).make(start_of(*chained));
+    const TestSetup setup =
+        value_of(setup_of(scenario, {.agents = agents, .test = test, .seed = seed}));
+    world_ = prepared_->world(0).make(start_of(setup));
     world_->begin({.test = test,
                    .seed = setup.seed,
                    .behaviour = "python",
@@ -404,7 +381,6 @@ class Episode {
   py::list step(const py::sequence& actions) {
     if (world_->finished()) throw py::value_error("the test has ended");
     if (actions.size() != percepts_.size()) throw py::value_error("expected one action an agent");
-    const py::object as_literal = python_class("as_literal");
     const Terms terms(heap_, symbols_);
     std::vector<std::vector<Value>> args(actions.size());
     std::vector<ActionRequest> requests;
@@ -464,26 +440,6 @@ class Episode {
   std::unique_ptr<World> world_;
 };
 
-py::list world_words() {
-  py::list worlds;
-  for (const WorldInfo& world : world_list()) {
-    py::dict said;
-    said["name"] = std::string(world.name);
-    said["summary"] = std::string(world.summary);
-    const auto words = [](std::span<const EnvironmentWord> all) {
-      py::list list;
-      for (const EnvironmentWord& each : all) {
-        list.append(py::make_tuple(std::string(each.form), std::string(each.meaning)));
-      }
-      return list;
-    };
-    said["percepts"] = words(world.percepts);
-    said["actions"] = words(world.actions);
-    worlds.append(said);
-  }
-  return worlds;
-}
-
 void add_views(py::module_& module) {
   py::class_<SeenActor>(module, "SeenActor")
       .def_readonly("id", &SeenActor::id)
@@ -511,7 +467,8 @@ void add_views(py::module_& module) {
   const auto number = [](double VehicleView::*field) {
     return [field](const View& self) { return self.seen.*field; };
   };
-  py::class_<View>(module, "View", "What the sensors of an AV see; docs/reference/vehicles.md")
+  py::class_<View>(module, "View",
+                   "What the sensors of an AV see; docs/reference/controller_protocol.md")
       .def_property_readonly("time_s", number(&VehicleView::time_s))
       .def_property_readonly("period_s", number(&VehicleView::period_s))
       .def_property_readonly("speed_mps", number(&VehicleView::speed_mps))
@@ -532,6 +489,9 @@ void add_views(py::module_& module) {
 }  // namespace
 
 void add_bench(py::module_& module) {
+  module.attr("MOST_AGENTS") = kMaxAgents;
+  module.attr("MOST_TESTS") = kMaxTests;
+  module.attr("MOST_THREADS") = kMaxThreads;
   add_views(module);
   py::class_<RunnableScenario>(module, "Scenario")
       .def_static("load", &load)
@@ -539,7 +499,6 @@ void add_bench(py::module_& module) {
       .def_property_readonly("world",
                              [](const RunnableScenario& self) { return std::string(self.world()); })
       .def_property_readonly("behaviours", &RunnableScenario::behaviours)
-      .def_property_readonly("vehicles", &RunnableScenario::vehicles)
       .def_property_readonly("agents", &RunnableScenario::agents)
       .def_property_readonly("tests", &RunnableScenario::tests)
       .def_property_readonly("seed", &RunnableScenario::seed)
@@ -567,7 +526,6 @@ void add_bench(py::module_& module) {
       .def("result", &Episode::result);
   module.def("stored_page", &stored_page);
   module.def("judge", &judge);
-  module.def("worlds", &world_words);
   module.def("measures", [] {
     py::dict measures;
     for (const MeasureInfo& each : measure_list()) {

@@ -14,81 +14,48 @@ namespace {
 
 using search::RunnableSearch;
 
-/// Keeps a Python object on threads that do not hold Python's lock.
-std::shared_ptr<py::object> shared(const py::object& object) {
-  return {new py::object(object), [](const py::object* kept) {
-            const py::gil_scoped_acquire acquire;
-            delete kept;
-          }};
-}
-
-/// What Python has thrown; the search ends, and its caller gets it.
-struct Failure {
-  std::exception_ptr thrown;
-  std::atomic<bool> is_ended = false;
-
-  /// REQUIRES: Python's lock is held, within a catch clause.
-  void keep_current() {
-    if (!thrown) thrown = std::current_exception();
-    is_ended = true;
-  }
-  template <class Exception>
-  void keep(Exception exception) {
-    if (!thrown) thrown = std::make_exception_ptr(std::move(exception));
-    is_ended = true;
-  }
-};
-
 py::tuple to_tuple(std::span<const double> values) {
   py::tuple tuple(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) tuple[i] = values[i];
   return tuple;
 }
 
-/// `function(input)` returns the measures, and perhaps the simulated seconds behind them.
+/// `function(input)` returns a number. An exception errs the test; KeyboardInterrupt, SystemExit
+/// and their like end the search.
 class FunctionExecutor final : public search::SystemExecutor {
  public:
-  FunctionExecutor(std::shared_ptr<py::object> function, std::size_t measures, Failure& failure)
-      : function_(std::move(function)), measures_(measures), failure_(failure) {}
+  FunctionExecutor(std::shared_ptr<py::object> function, Thrown& thrown)
+      : function_(std::move(function)), thrown_(thrown) {}
 
   search::SystemOutcome run(std::span<const double> input, std::size_t /*test*/) override {
     const py::gil_scoped_acquire acquire;
     search::SystemOutcome outcome;
     try {
-      outcome.measures = (*function_)(to_tuple(input)).cast<std::vector<double>>();
-      if (outcome.measures.size() == measures_ + 1) {
-        outcome.simulated_s = outcome.measures.back();
-        outcome.measures.pop_back();
-      }
+      outcome.measures = {(*function_)(to_tuple(input)).cast<double>()};
     } catch (py::error_already_set& error) {
-      if (error.matches(PyExc_Exception)) {
-        outcome.error = report("the system", error);
-      } else {
-        failure_.keep_current();
-        outcome.error = "interrupted";
-      }
+      if (!error.matches(PyExc_Exception)) thrown_.keep_current();
+      outcome.error = thrown_.is_there() ? "interrupted" : report("the system", error);
     } catch (py::cast_error&) {
-      outcome.error = "the system returns no numbers";
+      outcome.error = "the system returns no number";
     }
     return outcome;
   }
 
  private:
   std::shared_ptr<py::object> function_;
-  std::size_t measures_;
-  Failure& failure_;
+  Thrown& thrown_;
 };
 
 /// A Python object with ask(is_valid, spent) and tell(input, fitness, has_failed).
 class PyGenerator final : public search::InputGenerator {
  public:
-  PyGenerator(std::shared_ptr<py::object> self, Failure& failure)
-      : self_(std::move(self)), failure_(failure) {}
+  PyGenerator(std::shared_ptr<py::object> self, Thrown& thrown)
+      : self_(std::move(self)), thrown_(thrown) {}
 
   std::vector<double> ask(const std::function<bool(std::span<const double>)>& is_valid,
                           double spent) override {
     const py::gil_scoped_acquire acquire;
-    if (failure_.is_ended) return {};
+    if (thrown_.is_there()) return {};
     try {
       const py::cpp_function valid(
           [&](const std::vector<double>& input) { return is_valid(input); });
@@ -98,27 +65,27 @@ class PyGenerator final : public search::InputGenerator {
       }
       throw py::type_error("ask() returns no list of numbers");
     } catch (py::error_already_set&) {
-      failure_.keep_current();
+      thrown_.keep_current();
     } catch (py::type_error&) {
-      failure_.keep_current();
+      thrown_.keep_current();
     } catch (py::cast_error&) {
-      failure_.keep(py::type_error("ask() returns no list of numbers"));
+      thrown_.keep(std::make_exception_ptr(py::type_error("ask() returns no list of numbers")));
     }
     return {};
   }
   void tell(std::span<const double> input, double fitness, bool has_failed) override {
     const py::gil_scoped_acquire acquire;
-    if (failure_.is_ended) return;
+    if (thrown_.is_there()) return;
     try {
       self_->attr("tell")(to_tuple(input), fitness, has_failed);
     } catch (py::error_already_set&) {
-      failure_.keep_current();
+      thrown_.keep_current();
     }
   }
 
  private:
   std::shared_ptr<py::object> self_;
-  Failure& failure_;
+  Thrown& thrown_;
 };
 
 py::list to_python(const search::SearchReport& report, const std::vector<std::string>& measures) {
@@ -149,7 +116,7 @@ py::list to_python(const search::SearchReport& report, const std::vector<std::st
 py::dict run_search(const RunnableSearch& search, const std::optional<std::uint64_t>& seed,
                     const std::optional<std::uint32_t>& repetitions, unsigned threads,
                     const std::string& store, bool resume, const py::object& progress,
-                    Failure& failure) {
+                    Thrown& thrown) {
   std::atomic<std::uint64_t> tests = 0;
   std::atomic<std::uint64_t> failures = 0;
   const search::SearchRunOptions options{.seed = seed,
@@ -160,15 +127,14 @@ py::dict run_search(const RunnableSearch& search, const std::optional<std::uint6
                                          .progress = [&](const search::SearchProgressNow& now) {
                                            tests = now.tests;
                                            failures = now.failures;
-                                           return !failure.is_ended;
+                                           return !thrown.is_there();
                                          }};
   std::optional<Result<search::SearchReport>> report;
   wait_for([&] { report.emplace(search.run(options)); },
            [&] {
              if (!progress.is_none()) progress(tests.load(), failures.load());
            },
-           failure.is_ended);
-  if (failure.thrown) std::rethrow_exception(failure.thrown);
+           thrown);
   const search::SearchReport found = value_of(*std::move(report));
   if (found.trouble.has_errors()) raise(found.trouble);
   py::dict said;
@@ -189,20 +155,19 @@ py::dict search_file(const std::string& name, const std::optional<std::string>& 
   choice.data_folder = data_folder;
   const RunnableSearch found = value_of(text ? RunnableSearch::parse(name, *text, choice)
                                              : RunnableSearch::read(name, choice));
-  Failure failure;
-  return run_search(found, seed, repetitions, threads, store, resume, progress, failure);
+  Thrown thrown;
+  return run_search(found, seed, repetitions, threads, store, resume, progress, thrown);
 }
 
 /// `generators`: names, and tuples (name, make) where make(dimension, seed) makes one.
 py::dict search_function(const py::object& function, const py::object& why_invalid,
-                         std::size_t dimension, const std::vector<std::string>& measures,
-                         const std::string& measure, double harmless, double worst, double fails_at,
+                         std::size_t dimension, double harmless, double worst, double fails_at,
                          const py::list& generators, std::uint64_t tests, std::uint64_t seed,
                          std::uint32_t repetitions, unsigned threads, const py::object& progress) {
-  Failure failure;
+  Thrown thrown;
   search::SearchDescription description;
   description.name = "search";
-  description.measure = measure;
+  description.measure = "value";
   description.harmless = harmless;
   description.worst = worst;
   description.fails_at = fails_at;
@@ -212,20 +177,20 @@ py::dict search_function(const py::object& function, const py::object& why_inval
   search::SystemUnderTest& system = description.system;
   system.name = "function";
   system.dimension = dimension;
-  system.measures = measures;
-  system.make_executor = [kept = shared(function), count = measures.size(), &failure] {
-    return std::make_unique<FunctionExecutor>(kept, count, failure);
+  system.measures = {"value"};
+  system.make_executor = [kept = shared(function), &thrown] {
+    return std::make_unique<FunctionExecutor>(kept, thrown);
   };
   if (!why_invalid.is_none()) {
-    system.why_invalid = [kept = shared(why_invalid), &failure](std::span<const double> input) {
+    system.why_invalid = [kept = shared(why_invalid), &thrown](std::span<const double> input) {
       const py::gil_scoped_acquire acquire;
       try {
         const py::object why = (*kept)(to_tuple(input));
         return why.is_none() ? std::string() : why.cast<std::string>();
       } catch (py::error_already_set&) {
-        failure.keep_current();
+        thrown.keep_current();
       } catch (py::cast_error&) {
-        failure.keep_current();
+        thrown.keep_current();
       }
       return std::string("the function that says what is invalid failed");
     };
@@ -238,19 +203,19 @@ py::dict search_function(const py::object& function, const py::object& why_inval
     const auto [name, make] = each.cast<std::pair<std::string, py::object>>();
     description.custom_generators.push_back(
         {.name = name,
-         .make = [kept = shared(make), &failure](std::size_t size, std::uint64_t own_seed) {
+         .make = [kept = shared(make), &thrown](std::size_t size, std::uint64_t own_seed) {
            const py::gil_scoped_acquire acquire;
            py::object made;
            try {
              made = (*kept)(size, own_seed);
            } catch (py::error_already_set&) {
-             failure.keep_current();
+             thrown.keep_current();
            }
-           return std::make_unique<PyGenerator>(shared(made), failure);
+           return std::make_unique<PyGenerator>(shared(made), thrown);
          }});
   }
   const RunnableSearch found = value_of(RunnableSearch::make(description));
-  return run_search(found, seed, repetitions, threads, "", false, progress, failure);
+  return run_search(found, seed, repetitions, threads, "", false, progress, thrown);
 }
 
 }  // namespace

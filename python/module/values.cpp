@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <exception>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -52,18 +51,21 @@ std::string literal_name(Terms terms, Value value) {
 
 // The classes are looked up once; they live as long as Python does.
 const py::object& atom_class() {
-  static const auto* const found = new py::object(python_class("Atom"));
+  static const auto* const found = new py::object(term_part("Atom"));
   return *found;
 }
 
 const py::object& structure_class() {
-  static const auto* const found = new py::object(python_class("Structure"));
+  static const auto* const found = new py::object(term_part("Structure"));
   return *found;
 }
 
-py::object python_class(const char* name) {
-  return py::module_::import("jaywalk.terms").attr(name);
+py::object as_literal(py::handle value) {
+  static const auto* const found = new py::object(term_part("as_literal"));
+  return (*found)(value);
 }
+
+py::object term_part(const char* name) { return py::module_::import("jaywalk.terms").attr(name); }
 
 py::object to_python(Terms terms, Value term) {
   const Nesting nesting;
@@ -106,7 +108,7 @@ Value from_python(Terms terms, py::handle value) {
 }
 
 py::list to_python(const Diagnostics& diagnostics) {
-  const py::object diagnostic = python_class("Diagnostic");
+  const py::object diagnostic = term_part("Diagnostic");
   py::list list;
   for (const Diagnostic& each : diagnostics.items()) {
     py::object line = py::none();
@@ -129,19 +131,49 @@ py::list to_python(const Diagnostics& diagnostics) {
 
 std::string report(const std::string& where, const py::error_already_set& error) {
   if (error.trace()) PyException_SetTraceback(error.value().ptr(), error.trace().ptr());
-  return python_class("report_exception")(where, error.value()).cast<std::string>();
+  return term_part("report_exception")(where, error.value()).cast<std::string>();
 }
 
 void raise(const Diagnostics& diagnostics) {
-  const py::object error = python_class("Error");
+  const py::object error = term_part("Error");
   PyErr_SetObject(error.ptr(), error(to_python(diagnostics)).ptr());
   throw py::error_already_set();
 }
 
+void Thrown::keep(std::exception_ptr exception) {
+  const py::gil_scoped_acquire acquire;
+  if (!first_) first_ = std::move(exception);
+  is_there_ = true;
+}
+
+bool Thrown::is_interrupted() {
+  constexpr std::uint64_t kBetweenSignals = 64;
+  if (!is_there_ && asked_++ % kBetweenSignals == 0) {
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) keep(std::make_exception_ptr(py::error_already_set()));
+  }
+  return is_there_;
+}
+
+void Thrown::rethrow() {
+  is_there_ = false;
+  if (first_) std::rethrow_exception(std::exchange(first_, nullptr));
+}
+
+std::function<void(std::string_view line)> line_printer(const py::object& print, Thrown& thrown) {
+  if (print.is_none()) return {};
+  return [kept = shared(print), &thrown](std::string_view line) {
+    const py::gil_scoped_acquire acquire;
+    try {
+      (*kept)(py::str(line.data(), line.size()));
+    } catch (py::error_already_set&) {
+      thrown.keep_current();
+    }
+  };
+}
+
 void wait_for(const std::function<void()>& work, const std::function<void()>& progress,
-              std::atomic<bool>& is_ended) {
-  std::exception_ptr failure;
-  std::exception_ptr interruption;
+              Thrown& thrown) {
   std::mutex mutex;
   std::condition_variable changed;
   bool is_done = false;
@@ -149,35 +181,30 @@ void wait_for(const std::function<void()>& work, const std::function<void()>& pr
     try {
       work();
     } catch (...) {
-      failure = std::current_exception();
+      thrown.keep_current();
     }
     const std::lock_guard lock(mutex);
     is_done = true;
     changed.notify_all();
   });
-  const auto listen = [&] {
-    try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (progress) progress();
-    } catch (...) {
-      if (!interruption) interruption = std::current_exception();
-      is_ended = true;
-    }
-  };
   for (bool is_waiting = true; is_waiting;) {
     {
       const py::gil_scoped_release release;
       std::unique_lock lock(mutex);
       is_waiting = !changed.wait_for(lock, std::chrono::milliseconds(100), [&] { return is_done; });
     }
-    listen();
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (progress) progress();
+    } catch (...) {
+      thrown.keep_current();
+    }
   }
   {
     const py::gil_scoped_release release;
     worker.join();
   }
-  if (interruption) std::rethrow_exception(interruption);
-  if (failure) std::rethrow_exception(failure);
+  thrown.rethrow();
 }
 
 }  // namespace jaywalk::python

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "experiment/library/library.h"
+#include "experiment/scenario/number_list.h"
 #include "search/library/custom.h"
 #include "search/search_experiment.h"
 #include "search/store/search_store.h"

@@ -71,11 +71,16 @@ class AgentsTest(unittest.TestCase):
         def lanes():
             yield from (1, 2, 3)
 
+        @interpreter.function("road.first")
+        def first():
+            yield 1
+            raise ValueError("there is no second")
+
         agent = interpreter.add_agent(
-            "ann", "!go. +!go : road.lane(L) & L > 1 <- road.distance(26, D); road.note(lane, L); road.note(m, D); road.path(P); +path(P)."
+            "ann", "!go. +!go : road.lane(L) & L > 1 <- road.distance(26, D); road.note(lane, L); road.note(m, D); road.path(P); +path(P). !f. +!f : road.first(N) <- road.note(first, N)."
         )
         interpreter.run()
-        self.assertEqual(seen, [(Atom("lane"), 2), (Atom("m"), 52)])
+        self.assertCountEqual(seen, [(Atom("first"), 1), (Atom("lane"), 2), (Atom("m"), 52)])
         self.assertEqual(agent.ask("path(P)"), [{"P": "C:\\path"}])
 
     def test_fails_actions_whose_function_returns_false_or_gets_another_type(self):
@@ -183,12 +188,18 @@ class AgentsTest(unittest.TestCase):
             interpreter.add_agent("ann", "!c(20000). +!c(0). +!c(N) <- !c(N-1).")
             outcomes.append(interpreter.run().cycles)
 
-        threads = [threading.Thread(target=run) for _ in range(4)]
+        def parse():
+            for number in range(500):
+                outcomes.append(str(jaywalk.literal(f"p({number})")) == f"p({number})")
+
+        threads = [threading.Thread(target=each) for each in (run, run, run, parse, parse)]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-        self.assertEqual(len(set(outcomes)), 1)
+        self.assertEqual(len(outcomes), 3 + 2 * 500)
+        self.assertEqual(len(set(outcomes)), 2)  # True, and one number of cycles
+        self.assertEqual(outcomes.count(True), 2 * 500)
 
         interpreter = self.interpreter()
         refused = []
@@ -252,6 +263,23 @@ class EnvironmentTest(unittest.TestCase):
             interpreter.run()
         self.assertIn("action_failed", lines[0])
         self.assertIn("ValueError: no such switch: cool(1)", lines[0])
+
+    def test_needs_a_tick_that_takes_time(self):
+        class Timeless(Room):
+            tick_ms = 0
+
+        with self.assertRaisesRegex(ValueError, "tick_ms: expected"):
+            jaywalk.Interpreter(environment=Timeless())
+
+    def test_ends_the_run_with_the_exception_of_its_clock(self):
+        class Broken(Room):
+            def advance(self):
+                raise RuntimeError("no time")
+
+        interpreter = jaywalk.Interpreter(environment=Broken())
+        interpreter.add_agent("ann")
+        with self.assertRaisesRegex(RuntimeError, "no time"):
+            interpreter.run()
 
     def test_ends_the_run_with_the_exception_of_its_percepts(self):
         class Broken(Room):

@@ -25,7 +25,9 @@ class ScenarioTest(unittest.TestCase):
     def test_gives_the_same_results_for_any_number_of_threads(self):
         one = jaywalk.compare("paper", behaviours=["random_behaviour", "proximity"], tests=30, agents=2, threads=1)
         three = jaywalk.compare("paper", behaviours=["random_behaviour", "proximity"], tests=30, agents=2, threads=3)
-        self.assertEqual([row["successes"] for row in one.rows], [row["successes"] for row in three.rows])
+        successes = [row["successes"] for row in one.rows]
+        self.assertTrue(all(0 < each < 30 for each in successes), successes)
+        self.assertEqual(successes, [row["successes"] for row in three.rows])
 
     def test_reports_progress_and_passes_its_exceptions_on(self):
         told = []
@@ -66,8 +68,9 @@ class ScenarioTest(unittest.TestCase):
             (name,) = options
             with self.assertRaisesRegex(ValueError, f"{name}: expected a whole number"):
                 jaywalk.compare("paper", **options)
-        with self.assertRaises(jaywalk.Error):
+        with self.assertRaises(jaywalk.Error) as caught:
             jaywalk.load_scenario("paper").run("proximty")
+        self.assertIn("did you mean 'proximity'", str(caught.exception))
         with self.assertRaisesRegex(KeyError, "no measure 'acuracy'"):
             jaywalk.compare("paper", behaviours="random_behaviour", tests=1, agents=1).measure("acuracy")
 
@@ -78,8 +81,9 @@ class ScenarioTest(unittest.TestCase):
             store = jaywalk.open(path)
             self.assertEqual((len(store), store.is_complete), (40, True))
             self.assertEqual(store.comparison().rows, made.rows)
-            failed = store.tests(behaviour="election", agents=3, succeeded=False)
-            self.assertTrue(all(row["behaviour"] == "election" and not row["succeeded"] for row in failed))
+            failed = store.tests(behaviour="random_behaviour", agents=1, succeeded=False)
+            self.assertTrue(failed)
+            self.assertTrue(all(row["behaviour"] == "random_behaviour" and not row["succeeded"] for row in failed))
             test = store.test(store.tests(succeeded=True)[0]["id"])
             self.assertTrue(test.succeeded)
             self.assertIn("<html", test.to_html())
@@ -111,6 +115,7 @@ class ScenarioTest(unittest.TestCase):
             rows += [f"{tick},av,vehicle,{x},{tick}", f"{tick},ann,pedestrian,{x + 6},5"]
         judged = jaywalk.judge("\n".join(rows) + "\n", ["crossing"])
         self.assertEqual((judged.ticks, judged.actors), (10, ["av", "ann"]))
+        self.assertTrue(judged.verdicts)
         self.assertTrue(all(each.verdict in ("pass", "vacuous") for each in judged.verdicts.values()))
         with self.assertRaises(jaywalk.Error) as caught:
             jaywalk.judge("time,actor,kind,x\n0,av,vehicle,1\n")
@@ -146,8 +151,12 @@ class AVTest(unittest.TestCase):
 
     def test_drives_alike_on_any_number_of_threads(self):
         scenario = jaywalk.load_scenario(self.SCENARIO, av=Careful, behaviours="proximity")
-        one, three = (scenario.compare(tests=10, agents=1, threads=threads) for threads in (1, 3))
-        self.assertEqual([row["successes"] for row in one.rows], [row["successes"] for row in three.rows])
+        one, three = (
+            scenario.compare(tests=10, agents=1, threads=threads, assertions=["crossing"]).rows[0] for threads in (1, 3)
+        )
+        compared = [name for name in one if "." in name or name in ("successes", "score")]
+        self.assertTrue(any(0 < one[name] < 10 for name in compared if "." in name), one)
+        self.assertEqual([one[name] for name in compared], [three[name] for name in compared])
 
     def test_errs_by_itself(self):
         class Broken(jaywalk.AV):
@@ -191,14 +200,18 @@ class EpisodeTest(unittest.TestCase):
             episode.step(None, None)
 
     def test_is_the_test_that_agents_run_in(self):
-        # An agent that stays where it is, once in Python and once in AgentSpeak.
-        scenario = jaywalk.load_scenario("paper", behaviours={"still": "!s. +!s <- stay; !s."})
-        for number in range(10):
+        # An agent that walks to the right, once in Python and once in AgentSpeak.
+        scenario = jaywalk.load_scenario("paper", behaviours={"right": "!s. +!s <- move(right); !s. -!s <- !s."})
+        outcomes = set()
+        for number in range(40):
             episode = scenario.episode(test=number)
             while not episode.is_finished:
-                episode.step("stay")
+                episode.step("move(right)")
+            result = episode.result
             test = scenario.run(test=number)
-            self.assertEqual((episode.result["succeeded"], episode.result["ticks"]), (test.succeeded, test.ticks))
+            self.assertEqual((result["succeeded"], result["ticks"], result["scores"][0]), (test.succeeded, test.ticks, test.score))
+            outcomes.add(test.succeeded)
+        self.assertEqual(outcomes, {True, False})
 
 
 if __name__ == "__main__":

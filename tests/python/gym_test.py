@@ -81,10 +81,13 @@ class GymTest(unittest.TestCase):
 
     def test_rewards_are_the_scenarios_score(self):
         env = CrossingEnv()
-        for seed in range(20):
+        outcomes = set()
+        for seed in range(40):
             _, rewards, info = played(env, seed, lambda seen: ACTIONS.index("move(right)"))
             self.assertAlmostEqual(sum(rewards), env._episode.result["scores"][0])
             self.assertEqual(info["succeeded"], info["ended_by"] == "precondition")
+            outcomes.add(info["succeeded"])
+        self.assertEqual(outcomes, {True, False})
 
     def test_shows_where_the_agent_is(self):
         env = CrossingEnv(render_mode="ansi")

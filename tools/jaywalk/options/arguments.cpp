@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "experiment/scenario/number_list.h"
 #include "interpreter/support/text.h"
 #include "tools/jaywalk/options/option_names.h"
 
@@ -185,10 +186,9 @@ std::vector<std::string> listed(const Arguments& arguments, OptionName option) {
 }
 
 unsigned read_threads(const Arguments& arguments, Diagnostics& diagnostics) {
-  constexpr std::uint64_t kMost = 1024;
-  const auto cores = std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMost);
+  const auto cores = std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMaxThreads);
   return static_cast<unsigned>(
-      arguments.number(option::kThreads, 1, diagnostics, kMost).value_or(cores));
+      arguments.number(option::kThreads, 1, diagnostics, kMaxThreads).value_or(cores));
 }
 
 }  // namespace jaywalk
