@@ -91,6 +91,7 @@ jaywalk_add_library(engine
     coverage/source_coverage.cpp
     embed/agent_functions.cpp
     embed/call.cpp
+    embed/ground_literal.cpp
     embed/interpreter.cpp
     embed/observer.cpp
     embed/program_loader.cpp

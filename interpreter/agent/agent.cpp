@@ -222,19 +222,25 @@ const Event* Agent::selected_event() {
   return selected_event_;
 }
 
-const PendingAction* Agent::take_action() {
+const PendingAction* Agent::take_action(std::uint64_t number) {
   if (circumstance_.actions.empty()) return nullptr;
   circumstance_.acting.push_back(circumstance_.actions.front());
+  circumstance_.acting.back().number = number;
   circumstance_.actions.pop_front();
   return &circumstance_.acting.back();
 }
 
-void Agent::give_feedback(bool succeeded, std::string reason) {
-  const PendingAction action = circumstance_.acting.back();
-  circumstance_.acting.pop_back();
+bool Agent::give_feedback(std::uint64_t number, bool succeeded, std::string reason) {
+  auto& acting = circumstance_.acting;
+  const auto action = std::find_if(acting.begin(), acting.end(), [&](const PendingAction& each) {
+    return each.number == number;
+  });
+  if (action == acting.end()) return false;
   circumstance_.feedback.push_back(
-      {action.intention, succeeded, std::move(reason), action.literal});
+      {action->intention, succeeded, std::move(reason), action->literal});
+  acting.erase(action);
   attention_ = true;
+  return true;
 }
 
 Value Agent::with_own_source(Value literal) {
@@ -361,6 +367,7 @@ void Agent::drop(Intention& intention) {
   const auto is_its = [&](const auto& item) { return item.intention == &intention; };
   if (intention.has_event) erase_if(c.events, is_its);
   if (!c.actions.empty()) erase_if(c.actions, is_its);
+  if (!c.acting.empty()) erase_if(c.acting, is_its);
   if (!c.feedback.empty()) erase_if(c.feedback, is_its);
   for (const IntendedMeans& means : intention.stack) {
     if (means.plan->has_goal_condition) --goal_conditions_;

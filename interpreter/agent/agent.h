@@ -65,9 +65,10 @@ class Agent final : public MachineSurroundings, private AgentParts {
 
   // Messages and actions, to and from the system.
   void receive(const Message& message);
-  /// The action to execute next, taken from the queue; null if none is chosen.
-  [[nodiscard]] const PendingAction* take_action();
-  void give_feedback(bool succeeded, std::string reason);
+  /// The action to execute next, taken from the queue under that number; null if none is chosen.
+  [[nodiscard]] const PendingAction* take_action(std::uint64_t number);
+  /// False: no such action is pending, or its intention has been dropped.
+  bool give_feedback(std::uint64_t number, bool succeeded, std::string reason);
   void timer_fired(std::uint64_t token);
   /// Whether timer_fired would still do something.
   [[nodiscard]] bool expects_timer(std::uint64_t token);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "interpreter/term/compare.h"
 #include <jaywalk/environment.h>
 
 namespace jaywalk {
@@ -35,20 +36,39 @@ void Percepts::end_look() {
   told_before_ = 0;
 }
 
+// Terms in memory of the environment are those of the latest look, whose literals live longest.
+void Percepts::add(Predicate predicate, std::span<const Value> args, Value annotations) {
+  if (next_ >= told_before_ || entries_[next_].predicate != predicate) {
+    add_behind(predicate, args, annotations);
+    return;
+  }
+  const auto known = args_.begin() + static_cast<std::ptrdiff_t>(next_arg_);
+  if (std::equal(args.begin(), args.end(), known,
+                 [](Value a, Value b) { return equal_terms(a, b); })) {
+    std::copy(args.begin(), args.end(), known);
+    entries_[next_].annotations = annotations;
+  } else {
+    change(args, annotations);
+  }
+  ++next_;
+  next_arg_ += args.size();
+}
+
 // The next one is of the same predicate, but with other arguments.
-void Percepts::change(std::span<const Value> args) {
+void Percepts::change(std::span<const Value> args, Value annotations) {
   const auto known = args_.begin() + static_cast<std::ptrdiff_t>(next_arg_);
   add_gone(entries_[next_].predicate, std::span(args_).subspan(next_arg_, args.size()));
   std::copy(args.begin(), args.end(), known);
+  entries_[next_].annotations = annotations;
   news_.push_back(static_cast<std::uint32_t>(next_));
   ++changed_;
 }
 
-void Percepts::add_behind(Predicate predicate, std::span<const Value> args) {
+void Percepts::add_behind(Predicate predicate, std::span<const Value> args, Value annotations) {
   if (next_ < told_before_) drop_rest();
   args_.insert(args_.end(), args.begin(), args.end());
   news_.push_back(static_cast<std::uint32_t>(entries_.size()));
-  entries_.push_back({predicate, static_cast<std::uint32_t>(args_.size())});
+  entries_.push_back({predicate, static_cast<std::uint32_t>(args_.size()), annotations});
 }
 
 // The rest of the last look has to be reported anew.
@@ -77,7 +97,7 @@ void Percepts::keep_common_end() {
 
 void Percepts::add_gone(Predicate predicate, std::span<const Value> args) {
   gone_args_.insert(gone_args_.end(), args.begin(), args.end());
-  gone_.push_back({predicate, static_cast<std::uint32_t>(gone_args_.size())});
+  gone_.push_back({predicate, static_cast<std::uint32_t>(gone_args_.size()), Value::empty_list()});
 }
 
 void add_percept(Percepts& percepts, Predicate predicate, std::initializer_list<Value> args) {
@@ -85,6 +105,9 @@ void add_percept(Percepts& percepts, Predicate predicate, std::initializer_list<
 }
 void add_percept(Percepts& percepts, Predicate predicate, std::span<const Value> args) {
   percepts.add(predicate, args);
+}
+void add_percept(Percepts& percepts, const GroundLiteral& literal) {
+  percepts.add(literal.predicate(), literal.args(), literal.annotations());
 }
 
 }  // namespace jaywalk

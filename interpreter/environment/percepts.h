@@ -22,8 +22,8 @@
 
 namespace jaywalk {
 
-/// One agent's percepts in one look: ground literals without annotations, whose arguments are
-/// numbers and atoms. Written by the environment, read by belief update.
+/// One agent's percepts in one look: ground literals. Written by the environment, read by belief
+/// update. Arguments other than numbers and atoms, and annotations, are the environment's.
 class Percepts {
  public:
   /// REQUIRES: as many arguments as the predicate has.
@@ -35,15 +35,17 @@ class Percepts {
       const Value* const known = args_.data() + next_arg_;
       for (std::size_t i = 0; i < args.size(); ++i) {
         if (known[i].same_as(args[i])) continue;
-        change(args);
+        change(args, Value::empty_list());
         break;
       }
       ++next_;
       next_arg_ += args.size();
       return;
     }
-    add_behind(predicate, args);
+    add_behind(predicate, args, Value::empty_list());
   }
+  /// Any ground terms, which must outlive the next look.
+  void add(Predicate predicate, std::span<const Value> args, Value annotations);
   /// Instead of reporting the rest: it is as in the last look from the literal of `first`
   /// on, under the same number, which the environment gives anew when the rest changes. False: that
   /// was not so, and it has to be reported.
@@ -64,6 +66,7 @@ class Percepts {
   [[nodiscard]] std::span<const Value> args(std::size_t index) const {
     return args(entries_, args_, index);
   }
+  [[nodiscard]] Value annotations(std::size_t index) const { return entries_[index].annotations; }
 
   // Looks. Between begin_look and end_look the environment reports everything.
   void begin_look();
@@ -87,6 +90,7 @@ class Percepts {
   struct Entry {
     Predicate predicate{};
     std::uint32_t end = 0;  // of its arguments
+    Value annotations = Value::empty_list();
   };
   static std::span<const Value> args(const std::vector<Entry>& entries,
                                      const std::vector<Value>& args, std::size_t index) {
@@ -94,8 +98,8 @@ class Percepts {
     return std::span(args).subspan(begin, entries[index].end - begin);
   }
 
-  void change(std::span<const Value> args);
-  void add_behind(Predicate predicate, std::span<const Value> args);
+  void change(std::span<const Value> args, Value annotations);
+  void add_behind(Predicate predicate, std::span<const Value> args, Value annotations);
   void drop_rest();
   void keep_common_end();
   void add_gone(Predicate predicate, std::span<const Value> args);

@@ -243,6 +243,7 @@ void Mas::Implementation::tick() {
     end({.how = RunEnd::finished});
     return;
   }
+  take_results();
   look();
   const double start = options_.measure_cpu ? thread_cpu_s() : 0;
   update_percepts();
@@ -265,10 +266,26 @@ void Mas::Implementation::tick() {
   }
 }
 
+void Mas::Implementation::take_results() {
+  environment_->take_results([&](std::uint64_t number, ActionResult result) {
+    const auto pending = pending_actions_.find(number);
+    if (pending == pending_actions_.end()) return;
+    AgentRecord& record = table_[pending->second];
+    pending_actions_.erase(pending);
+    if (record.agent == nullptr || record.is_leaving) return;
+    if (record.agent->give_feedback(number, result.succeeded, std::move(result.reason))) {
+      wake(record);
+    }
+  });
+}
+
 void Mas::Implementation::look() {
   if (outcome_.ticks == 0) stock_->constants.learn(*environment_, symbols_);
   for (AgentRecord& record : table_.all()) {
     if (!record.has_body() || record.is_leaving) continue;
+    record.looks =
+        record.percepts->looks() == 0 || !environment_->is_unchanged(AgentId{record.number});
+    if (!record.looks) continue;
     record.percepts->begin_look();
     environment_->perceive(AgentId{record.number}, *record.percepts);
     record.percepts->end_look();
@@ -283,7 +300,7 @@ KnownToAll Mas::Implementation::known_to_all(const AgentRecord& record) {
 
 void Mas::Implementation::update_percepts() {
   for (AgentRecord& record : table_.all()) {
-    if (!record.has_body() || record.is_leaving) continue;
+    if (!record.has_body() || record.is_leaving || !record.looks) continue;
     Agent& agent = *record.agent;
     ActionError error;
     const bool perceived = guarded(error, [&] {
@@ -304,19 +321,25 @@ void Mas::Implementation::execute_actions() {
   actors_.clear();
   for (AgentRecord& record : table_.all()) {
     if (!record.has_body() || record.is_leaving) continue;
-    const PendingAction* const action = record.agent->take_action();
+    const PendingAction* const action = record.agent->take_action(last_action_ + 1);
     if (action == nullptr) continue;
+    ++last_action_;
     const Value literal = action->literal;
     const bool atom = literal.is_atom();
-    requests_.push_back({AgentId{record.number},
-                         atom ? literal.atom_id() : literal.structure()->predicate(),
-                         atom ? std::span<const Value>{} : literal.structure()->arg_span()});
+    requests_.push_back(
+        {AgentId{record.number}, atom ? literal.atom_id() : literal.structure()->predicate(),
+         atom ? std::span<const Value>{} : literal.structure()->arg_span(), last_action_});
     actors_.push_back(record.agent.get());
   }
   results_.assign(requests_.size(), ActionResult{});
   environment_->execute(requests_, results_);
   for (std::size_t i = 0; i < actors_.size(); ++i) {
-    actors_[i]->give_feedback(results_[i].succeeded, std::move(results_[i].reason));
+    const std::uint64_t number = requests_[i].number;
+    if (results_[i].is_pending) {
+      pending_actions_.emplace(number, actors_[i]->number());
+      continue;
+    }
+    actors_[i]->give_feedback(number, results_[i].succeeded, std::move(results_[i].reason));
     wake(table_.of(*actors_[i]));
   }
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 #include "interpreter/agent/surroundings/host.h"
@@ -124,6 +125,7 @@ class Mas::Implementation : public AgentHost, public Society {
   void pass_busy_ms();
   void look();
   [[nodiscard]] KnownToAll known_to_all(const AgentRecord& record);
+  void take_results();
   void update_percepts();
   void reason_until_quiet();
   void execute_actions();
@@ -247,6 +249,9 @@ class Mas::Implementation : public AgentHost, public Society {
   Batch batch_;
   std::vector<ActionRequest> requests_;
   std::vector<ActionResult> results_;
+  std::uint64_t last_action_ = 0;
+  /// The agents of actions whose results come later, by the actions' numbers.
+  std::unordered_map<std::uint64_t, std::uint32_t> pending_actions_;
   std::vector<Agent*> actors_;
 };
 

@@ -74,6 +74,7 @@ struct PendingAsk {
 struct PendingAction {
   Intention* intention = nullptr;
   Value literal;
+  std::uint64_t number = 0;  // given when it is taken
 };
 
 struct Feedback {

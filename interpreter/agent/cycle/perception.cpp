@@ -71,11 +71,13 @@ void Agent::believe_quietly(const Percepts& percepts) {
     const Predicate predicate = percepts.predicate(news[i]);
     const std::span<const Value> args = percepts.args(news[i]);
     BeliefBase::PerceptChange change;
-    if (only_changed && beliefs_.change_percept(predicate, percepts.gone_args(i), args)) {
+    const Value annotations = percepts.annotations(news[i]);
+    if (only_changed && annotations.is_empty_list() &&
+        beliefs_.change_percept(predicate, percepts.gone_args(i), args)) {
       changed_ = true;
     } else {
       is_some_left = true;
-      if (beliefs_.perceive(predicate, args, change)) changed_ = true;
+      if (beliefs_.perceive(predicate, args, change, annotations)) changed_ = true;
     }
   }
   if (!is_some_left) return;
@@ -90,7 +92,8 @@ void Agent::believe_quietly(const Percepts& percepts) {
 
 void Agent::believe_percept(const Percepts& percepts, std::size_t index) {
   BeliefBase::PerceptChange change;
-  if (beliefs_.perceive(percepts.predicate(index), percepts.args(index), change)) {
+  if (beliefs_.perceive(percepts.predicate(index), percepts.args(index), change,
+                        percepts.annotations(index))) {
     work().percept_changes.news.push_back(change);
   }
 }

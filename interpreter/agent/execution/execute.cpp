@@ -48,8 +48,9 @@ void Agent::fail_at_limit(Intention& intention, const ActionError& error) {
                      heap_.structure(symbols_.predicate("action", 1), std::span(&literal, 1)));
   }
   if (host_.act(*this)) return;
-  (void)take_action();
-  give_feedback(false, "no environment configured!");
+  constexpr std::uint64_t kNoNumber = 0;
+  (void)take_action(kNoNumber);
+  give_feedback(kNoNumber, false, "no environment configured!");
 }
 
 [[gnu::noinline]] void Agent::execute_internal_action(Intention& intention, const Goal& goal) {

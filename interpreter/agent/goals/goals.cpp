@@ -98,6 +98,7 @@ void Goals::stop_waiting(Intention& intention) {
   erase_if(c.pending_events, is_its);
   if (c.atomic_event && c.atomic_event->intention == &intention) c.atomic_event.reset();
   erase_if(c.actions, is_its);
+  erase_if(c.acting, is_its);
   erase_if(c.feedback, is_its);
   erase_if(c.waits, [&](const Wait& wait) {
     if (wait.intention != intention.id) return false;

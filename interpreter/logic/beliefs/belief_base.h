@@ -108,7 +108,8 @@ class BeliefBase {
   [[nodiscard]] bool change_percept(Predicate predicate, std::span<const Value> old_args,
                                     std::span<const Value> args);
   /// True and `change` set if it is news.
-  bool perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change);
+  bool perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change,
+                Value annotations = Value::empty_list());
   /// Removes the percepts not seen since begin_percepts.
   void end_percepts(std::vector<PerceptChange>& changes);
 
@@ -146,7 +147,9 @@ class BeliefBase {
   bool remove_annotations(Relation& relation, std::int64_t seq, Value annots, bool exact);
   void no_percept_any_more(Relation& relation, Row& row);
   void remove_percept(Relation& relation, std::int64_t seq, std::vector<PerceptChange>& changes);
-  [[nodiscard]] Value percept(Predicate predicate, std::span<const Value> args);
+  [[nodiscard]] Value percept(Predicate predicate, std::span<const Value> args, Value annotations);
+  /// Those that the environment gives, and source(percept).
+  [[nodiscard]] Value percept_annotations(Value annotations);
 
   Heap& heap_;
   SymbolTable& symbols_;

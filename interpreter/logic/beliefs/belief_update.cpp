@@ -25,6 +25,7 @@
 #include "interpreter/logic/beliefs/belief_base.h"
 #include "interpreter/logic/beliefs/constant_percepts.h"
 #include "interpreter/term/compare.h"
+#include "interpreter/term/transfer.h"
 
 namespace jaywalk {
 namespace {
@@ -45,15 +46,19 @@ void BeliefBase::begin_percepts() {
   seen_again_ = 0;
 }
 
-Value BeliefBase::percept(Predicate predicate, std::span<const Value> args) {
-  Structure* const made = heap_.blank_literal(predicate, args.size(), source_percept());
+Value BeliefBase::percept_annotations(Value annotations) {
+  if (annotations.is_empty_list()) return source_percept();
+  return union_of(heap_, transfer(annotations, heap_), source_percept(), symbols_);
+}
+
+// The arguments are ground, so the literal is closed.
+Value BeliefBase::percept(Predicate predicate, std::span<const Value> args, Value annotations) {
+  Structure* const made = heap_.blank_literal(predicate, args.size(), annotations);
   Value* const cells = made->args();
-  bool closed = true;
   for (std::size_t i = 0; i < args.size(); ++i) {
-    cells[i] = args[i];
-    closed = closed && args[i].is_closed();
+    cells[i] = args[i].is_number() || args[i].is_atom() ? args[i] : transfer(args[i], heap_);
   }
-  return heap_.literal_of(made, closed);
+  return heap_.literal_of(made, true);
 }
 
 // The order of rows cannot change, and no plan is triggered by it.
@@ -74,7 +79,7 @@ bool BeliefBase::change_percept(Predicate predicate, std::span<const Value> old_
     return false;
   }
   Row& row = rel->own_row(rel->first_seq());
-  row.fact = percept(predicate, args);
+  row.fact = percept(predicate, args, source_percept());
   row.key = args.empty() ? 0 : argument_key(args[0]);
   row.percept_generation = generation_;
   return true;
@@ -95,7 +100,8 @@ bool BeliefBase::perceive_constant(Relation& rel, std::span<const Value> args,
   return true;
 }
 
-bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change) {
+bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, PerceptChange& change,
+                          Value annotations) {
   Relation& rel = relation(predicate);
   if (constants_ != nullptr && perceive_constant(rel, args, change)) return true;
   make_own(rel);
@@ -109,12 +115,12 @@ bool BeliefBase::perceive(Predicate predicate, std::span<const Value> args, Perc
       ++seen_again_;
       return false;
     }
-    const Value annots =
-        union_of(heap_, literal_parts(row.fact).annots, source_percept(), symbols_);
+    const Value added = percept_annotations(annotations);
+    const Value annots = union_of(heap_, literal_parts(row.fact).annots, added, symbols_);
     row.fact = with_annotations(heap_, row.fact, annots);
-    change = {with_annotations(heap_, row.fact, source_percept()), true};
+    change = {with_annotations(heap_, row.fact, added), true};
   } else {
-    const Value literal = percept(predicate, args);
+    const Value literal = percept(predicate, args, percept_annotations(annotations));
     rel.add_front({.fact = literal,
                    .rule = nullptr,
                    .key = args.empty() ? 0 : argument_key(args[0]),

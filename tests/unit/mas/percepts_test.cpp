@@ -4,6 +4,7 @@
 
 #include "interpreter/environment/percepts.h"
 
+#include <array>
 #include <random>
 #include <string>
 #include <vector>
@@ -141,7 +142,7 @@ class Beliefs {
     percepts_.begin_look();
     for (const std::string& literal : literals) {
       const LiteralParts parts = literal_parts(terms.term(literal));
-      percepts_.add(parts.predicate, parts.args);
+      percepts_.add(parts.predicate, parts.args, parts.annots);
     }
     percepts_.end_look();
     std::vector<std::string> news;
@@ -150,7 +151,8 @@ class Beliefs {
     terms.beliefs.begin_percepts();
     const auto perceive = [&](std::size_t i) {
       BeliefBase::PerceptChange change;
-      if (terms.beliefs.perceive(percepts_.predicate(i), percepts_.args(i), change)) {
+      if (terms.beliefs.perceive(percepts_.predicate(i), percepts_.args(i), change,
+                                 percepts_.annotations(i))) {
         news.push_back("+" + term_text(change.literal, terms.symbols));
       }
     };
@@ -197,16 +199,19 @@ class Beliefs {
   bool by_changes_;
 };
 
-// Lists that change a little or a lot, with repeated literals, and an agent that deletes percepts
-// and believes some of them by itself.
+// Lists that change a little or a lot, with repeated literals, all kinds of terms and annotations,
+// and an agent that deletes percepts and believes some of them by itself.
 TEST(BeliefUpdate, IsTheSameByChangesAsByAllPercepts) {
   std::mt19937 random(7);
   const auto below = [&](int bound) {
     return static_cast<int>(random() % static_cast<unsigned>(bound));
   };
-  const auto literal = [&] {
-    return fmt::format("{}({},{})", "pqr"[below(3)], below(4), below(3));
+  const auto plain = [&] {
+    constexpr std::array<const char*, 4> kTerms = {"0", "[0,\"t\"]", "f(0)", "\"0\""};
+    return fmt::format("{}({},{})", "pqr"[below(3)], below(4),
+                       kTerms[static_cast<std::size_t>(below(4))]);
   };
+  const auto literal = [&] { return plain() + (below(5) == 0 ? "[c(1)]" : ""); };
   int by_changes = 0;
   for (int run = 0; run < 300; ++run) {
     Beliefs fast(true);
@@ -229,8 +234,7 @@ TEST(BeliefUpdate, IsTheSameByChangesAsByAllPercepts) {
       }
       ASSERT_EQ(fast.update(sights), slow.update(sights)) << "run " << run << ", tick " << tick;
       if (below(8) == 0) {
-        const std::string own =
-            literal() + (below(2) == 0 ? "[source(self)]" : "[source(percept)]");
+        const std::string own = plain() + (below(2) == 0 ? "[source(self)]" : "[source(percept)]");
         const bool adds = below(2) == 0;
         for (Beliefs* const each : {&fast, &slow}) adds ? each->add(own) : each->remove(own);
       }
