@@ -54,6 +54,15 @@ CREATE TABLE drops (
 CREATE TABLE assessments (
   id INTEGER PRIMARY KEY NOT NULL, test_id INTEGER NOT NULL, name TEXT NOT NULL,
   verdict TEXT NOT NULL, value DOUBLE, tick INTEGER, actor INTEGER, robustness DOUBLE);
+CREATE VIEW results AS SELECT
+  t.id, t.behaviour, t.agents, t.vehicle, t.number AS test, t.seed, t.met_precondition AS succeeded,
+  t.ended_by, t.ticks * e.tick_s AS time_s, t.precondition_ticks * e.tick_s AS precondition_s,
+  t.collision, t.impact_mps, t.score,
+  (SELECT group_concat(name, ' ') FROM assessments WHERE verdict = 'fail' AND id >= t.id << 24
+     AND id < t.id + 1 << 24) AS failed,
+  (SELECT min(robustness) FROM assessments WHERE id >= t.id << 24 AND id < t.id + 1 << 24)
+    AS robustness
+  FROM tests AS t, experiment AS e;
 )sql";
 
 constexpr std::array kListedResults = {
