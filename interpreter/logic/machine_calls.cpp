@@ -108,11 +108,12 @@ bool Machine::call_function(const Structure& function, Value& result) {
   const FunctionDefinition* const definition =
       actions_->function(symbols_.text(signature.functor), function.arity);
   if (definition == nullptr) return false;
-  if (definition->function != nullptr) {
+  if (definition->function != nullptr || definition->own) {
     for (const Value arg : function.arg_span()) {
       if (!is_ground(arg)) return false;
     }
-    return definition->function(function.arg_span(), heap(), symbols_, result);
+    return definition->own ? definition->own(function.arg_span(), heap(), symbols_, result)
+                           : definition->function(function.arg_span(), heap(), symbols_, result);
   }
   if (definition->name == ".count") {
     double count = 0;

@@ -85,10 +85,13 @@ struct FunctionDefinition {
   std::string name;
   int least_args = 0;
   int most_args = 0;
-  FunctionBody function = nullptr;  // null: needs the machine (.count, math.random)
+  FunctionBody function = nullptr;  // null: `own`, or it needs the machine (.count, math.random)
   /// For people: "road.kmh(Speed)", and one sentence.
   std::string signature;
   std::string summary;
+  /// Instead of `function`, one that has data of its own.
+  std::function<bool(std::span<const Value> args, Heap& heap, SymbolTable& symbols, Value& result)>
+      own = {};
 };
 
 }  // namespace jaywalk
