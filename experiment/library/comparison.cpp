@@ -31,9 +31,6 @@ ComparisonRequest request_for(const RunnableScenario& scenario, const Comparison
 Diagnostics obstacles(const ComparisonRequest& request, const ComparisonOptions& options) {
   Diagnostics diagnostics;
   const ExperimentPlan& plan = request.plan;
-  if (request.prepared->vehicles().size() > 1) {
-    diagnostics.error("experiment", "tests with several AVs are run by `jaywalk compare` alone");
-  }
   if (plan.tests == 0 || plan.tests > kMaxTests) {
     diagnostics.error("tests", fmt::format("expected 1 to {}, found {}", kMaxTests, plan.tests));
   }

@@ -59,6 +59,24 @@ ComparisonRow row_of(const Summary& summary) {
   return row;
 }
 
+std::vector<KillTally> kills_of(const KillMatrix& matrix) {
+  std::vector<KillTally> kills;
+  for (const KillRow& row : matrix.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const KillCell& cell = row.cells[i];
+      if (cell.tests + cell.errored == 0) continue;
+      kills.push_back({.behaviour = row.behaviour,
+                       .agents = row.agents,
+                       .defect = matrix.defects[i],
+                       .tests = cell.tests,
+                       .kills = cell.kills,
+                       .healthy_failures = row.healthy_failures,
+                       .first_kill_median = first_kill_median(cell)});
+    }
+  }
+  return kills;
+}
+
 }  // namespace
 
 TestReport report_of(const Recording& recording, const Criteria& criteria, const Ground& ground) {
@@ -89,6 +107,7 @@ ComparisonReport report_of(const Comparison& comparison) {
     }
     report.rows.push_back(std::move(row));
   }
+  report.kills = kills_of(comparison.kills);
   report.is_complete = comparison.complete;
   report.csv = to_csv(comparison);
   report.json = to_json(comparison);

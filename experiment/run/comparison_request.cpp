@@ -31,7 +31,8 @@ void check_defects(const ComparisonRequest& request, Diagnostics& diagnostics) {
     diagnostics.error(option, "without assertions nothing blames an AV",
                       "--assertions names a file of them, as scenarios/assertions/crossing.yaml");
   }
-  if (request.prepared->world(0).spec().vehicle().model == "constant") {
+  const auto& vehicle = request.prepared->world(0).spec().vehicle();
+  if (vehicle.model == "constant" && !vehicle.own) {
     diagnostics.error(option, "the AV is of the model constant: no defect shows in it",
                       "set world.av.model to one that brakes (jaywalk list vehicles)");
   }

@@ -11,7 +11,7 @@
 
 `help(jaywalk.Interpreter)` is about agents by themselves, docs/guides/python.md about all of it.
 """
-from jaywalk.agents import Agent, Environment, Interpreter, RunOutcome, check
+from jaywalk.agents import Agent, Environment, Interpreter, Pending, RunOutcome, check
 from jaywalk.bench import (
     AV,
     Comparison,
@@ -32,6 +32,6 @@ from jaywalk.terms import Atom, Diagnostic, Error, Structure, WrongArgument, lit
 
 __all__ = [
     "AV", "Agent", "Atom", "Comparison", "Diagnostic", "Environment", "Episode", "Error", "Event", "Generator",
-    "Interpreter", "RunOutcome", "Scenario", "SearchResult", "Store", "Structure", "Test", "Verdict", "WrongArgument",
-    "check", "compare", "generators", "judge", "literal", "load_scenario", "measures", "open", "search",
+    "Interpreter", "Pending", "RunOutcome", "Scenario", "SearchResult", "Store", "Structure", "Test", "Verdict",
+    "WrongArgument", "check", "compare", "generators", "judge", "literal", "load_scenario", "measures", "open", "search",
 ]  # fmt: skip

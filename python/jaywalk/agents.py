@@ -32,6 +32,26 @@ class RunOutcome:
     message: str
 
 
+class Pending:
+    """The result of an action that takes longer than a tick. Until it is known the action's intention waits, while
+    others of the agent go on; the agent hears of it at the beginning of the next tick. Any thread may set it."""
+
+    def __init__(self) -> None:
+        self._failure: Optional[str] = None
+        self._has_failed = False
+
+    def succeed(self) -> None:
+        """The action is done. Whatever is set first counts."""
+        if self._failure is None:
+            self._failure = ""
+
+    def fail(self, reason: str = "") -> None:
+        """The action has failed; the reason is the failure's `error_msg`."""
+        if self._failure is None:
+            self._has_failed = True
+            self._failure = reason
+
+
 class Environment:
     """A world of your own: derive from it, and give an object of it to Interpreter.
 
@@ -43,12 +63,13 @@ class Environment:
     tick_ms: float = 1000
 
     def percepts(self, agent: str) -> Optional[Iterable[Literal]]:
-        """All that the agent perceives now, as texts ("at(2,5)"), Atoms or Structures; their arguments are numbers and
-        atoms. None: as in its last look."""
+        """All that the agent perceives now, as texts ("at(2,5)"), Atoms or Structures without variables. None: its
+        beliefs stay as they are."""
         return ()
 
-    def act(self, agent: str, action: Structure) -> Optional[bool]:
-        """Does what the agent has chosen. False, or an exception: the action fails, and with it the plan."""
+    def act(self, agent: str, action: Structure) -> Union[bool, Pending, None]:
+        """Does what the agent has chosen. False, or an exception: the action fails, and with it the plan. A Pending:
+        the action takes longer than this tick."""
         return False
 
     def advance(self) -> None:
@@ -143,16 +164,24 @@ class Interpreter:
         It succeeds unless the function returns False. An exception fails it (`error(python_error)`), and is shown with
         its traceback once. Parameters annotated int, float, str, list, Atom or Structure accept nothing else.
         """
-        return self._decorator(name, False)
+        return self._decorator(name, lambda *added: self._native.add_action(*added, False))
 
     def function(self, name: str) -> Callable[[Callable], Callable]:
         """A decorator: as `action`, and what the function returns is unified with one more argument, the last.
 
         What a generator yields are several answers, which a plan's context or a rule tries in turn.
         """
-        return self._decorator(name, True)
+        return self._decorator(name, lambda name, parameters, body: self._native.add_action(name, parameters + 1, body, True))
 
-    def _decorator(self, name: str, has_result: bool) -> Callable[[Callable], Callable]:
+    def arithmetic(self, name: str) -> Callable[[Callable], Callable]:
+        """A decorator: the function stands in arithmetic expressions, `X = road.kmh(Speed) + 1`.
+
+        It returns a number that depends on its arguments alone. After an exception, which is shown with its traceback
+        once, it has no value, and the expression stays as it is.
+        """
+        return self._decorator(name, self._native.add_arithmetic)
+
+    def _decorator(self, name: str, add_native: Callable[[str, int, Callable], None]) -> Callable[[Callable], Callable]:
         if "." not in name:
             raise ValueError(f"the name of an internal action has a dot, as in 'my.{name}'")
         if self._programs:
@@ -163,7 +192,7 @@ class Interpreter:
             wrong = [each for each in parameters if each.kind not in (each.POSITIONAL_ONLY, each.POSITIONAL_OR_KEYWORD)]
             if wrong:
                 raise TypeError(f"an internal action has positional parameters alone, found '{wrong[0]}'")
-            self._native.add_action(name, len(parameters) + has_result, has_result, _checked(body, parameters))
+            add_native(name, len(parameters), _checked(body, parameters))
             return body
 
         return add

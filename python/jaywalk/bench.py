@@ -2,11 +2,13 @@
 """The test bench: scenarios, tests, comparisons of behaviours, results stores, judging of recorded drives."""
 from __future__ import annotations
 
+import contextlib
 import html
 import json
 import os
 import pathlib
 import re
+import sqlite3
 import tempfile
 from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Mapping, Optional, Union
@@ -274,6 +276,7 @@ class Comparison:
         #: ends of its 95 % interval (`accuracy_low`, `accuracy_high`), and the number of tests with each verdict
         #: ("avoidability.fail").
         self.rows: list[dict[str, Any]] = said["rows"]
+        self._kills: list[dict[str, Any]] = said["kills"]
         #: False if it was ended before all tests were run.
         self.is_complete: bool = said["is_complete"]
         #: The files that `jaywalk compare --csv` and `--json` write.
@@ -295,6 +298,16 @@ class Comparison:
     def to_dataframe(self):
         """The rows as a pandas.DataFrame."""
         return _dataframe(self.rows)
+
+    @property
+    def kills(self):
+        """How many tests killed each defect of the AV, as a pandas.DataFrame: behaviour, agents, defect, tests, kills,
+        healthy_failures (in how many tests the AV without the defect is to blame itself; these kill nothing),
+        first_kill_median (how many tests it takes to kill it with a chance of a half; missing: no test does). A test
+        kills a defect if with the same seed the AV without it breaks no assertion, and with it one that it could have
+        kept. Empty unless the scenario was loaded with `defects`."""
+        columns = ("behaviour", "agents", "defect", "tests", "kills", "healthy_failures", "first_kill_median")
+        return _dataframe(self._kills, columns=columns)
 
     def _table(self) -> list[tuple[str, ...]]:
         lines = [("behaviour", "agents", "tests", "successes", "accuracy %", "95 %", "errored")]
@@ -355,6 +368,19 @@ class Store:
         """All tests as a pandas.DataFrame."""
         return _dataframe(self.tests())
 
+    def table(self, name: str = "results"):
+        """A table of the file as a pandas.DataFrame: "results" (a row for each test: how it ended, which assertions
+        failed), "tests", "actors", "observations", "events", "drops", "assessments", ...; docs/reference/store.md
+        describes them."""
+        uri = pathlib.Path(self._path).absolute().as_uri() + "?mode=ro"
+        with contextlib.closing(sqlite3.connect(uri, uri=True)) as database:
+            known = [row[0] for row in database.execute("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')")]
+            if name not in known:
+                raise KeyError(f"the store has no table '{name}', only {', '.join(sorted(known))}")
+            rows = database.execute(f'SELECT * FROM "{name}"')
+            columns = [each[0] for each in rows.description]
+            return _dataframe(rows.fetchall(), columns=columns)
+
     def test(self, id: int) -> Test:
         """All that was seen of a test, with its verdicts. It is run again if the store has not kept its scenes."""
         id = whole("id", id)
@@ -372,6 +398,7 @@ def load_scenario(
     behaviours: Union[None, str, Path, Mapping[str, str], Iterable[Path]] = None,
     preset: Optional[str] = None,
     av: Optional[Callable[[], AV]] = None,
+    defects: Union[None, str, Iterable[str]] = None,
     policies: Iterable[Path] = (),
     include: Iterable[Path] = (),
 ) -> Scenario:
@@ -380,7 +407,8 @@ def load_scenario(
     `scenario` is the path of a YAML file, the name of one that comes with Jaywalk ("paper"), or a text of YAML with a
     line break. `params` replace its values: {"world.av.speed": 2}. `behaviours` are names of the scenario's, paths of
     programs, or a dict of names and texts of AgentSpeak; by default all of the scenario's. `av` is a class derived from
-    AV that drives instead of the scenario's AV. Errors: jaywalk.Error with the places of all mistakes.
+    AV that drives instead of the scenario's AV. `defects` ("latency", "short-range=12", or "all") makes each test of a
+    comparison run with the AV as it is and with each of these defects of it. Errors: jaywalk.Error with the places of all mistakes.
     """
     if av is not None and not callable(av):
         raise TypeError(f"av is a class derived from AV, found {av!r}")
@@ -391,6 +419,8 @@ def load_scenario(
     else:
         name = shipped(name, "scenarios")
     sets = [f"{key}={json.dumps(value)}" for key, value in (params or {}).items()]
+    if defects is not None:
+        sets.append("experiment.defects=" + (defects if isinstance(defects, str) else ",".join(defects)))
     include = [os.fspath(each) for each in include]
     with tempfile.TemporaryDirectory(prefix="jaywalk-") as folder:
         chosen = []
@@ -416,7 +446,7 @@ def compare(scenario: Union[Scenario, Path], params: Optional[Mapping[str, Any]]
     """Loads a scenario and compares its behaviours: the options of `load_scenario` and of `Scenario.compare`."""
     if isinstance(scenario, Scenario):
         return scenario.compare(**options)
-    names = ("behaviours", "preset", "av", "policies", "include")
+    names = ("behaviours", "preset", "av", "defects", "policies", "include")
     loading = {name: options.pop(name) for name in names if name in options}
     return load_scenario(scenario, params, **loading).compare(**options)
 
@@ -466,12 +496,12 @@ def _assertion_files(assertions: Optional[Iterable[Path]]) -> Optional[list[str]
     return [shipped(each, "scenarios/assertions") for each in given]
 
 
-def _dataframe(content: Any):
+def _dataframe(content: Any, **options: Any):
     try:
         import pandas
     except ImportError:
         raise ImportError("a DataFrame needs pandas: apt install python3-pandas, or pip install pandas") from None
-    return pandas.DataFrame(content)
+    return pandas.DataFrame(content, **options)
 
 
 def _framed(page: str) -> str:

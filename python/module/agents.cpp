@@ -48,7 +48,8 @@ class PyInterpreter {
   PyInterpreter(std::uint64_t seed, const py::object& print, const py::object& log,
                 const py::object& world, std::uint64_t max_cycles, bool realtime);
 
-  void add_action(const std::string& name, int args, bool has_result, const py::function& body);
+  void add_action(const std::string& name, int args, const py::function& body, bool has_result);
+  void add_arithmetic(const std::string& name, int args, const py::function& body);
   LoadedProgram load(const std::string& name, const std::optional<std::string>& text,
                      const std::vector<std::string>& include);
   std::uint32_t add_agent(const std::string& name, const LoadedProgram& program) {
@@ -127,6 +128,12 @@ class PyInterpreter {
   std::unique_ptr<Interpreter> interpreter_;
 };
 
+const py::object& pending_class() {
+  static const auto* const found =
+      new py::object(py::module_::import("jaywalk.agents").attr("Pending"));
+  return *found;
+}
+
 /// A world that is a Python object (jaywalk.Environment).
 class World final : public Environment {
  public:
@@ -140,18 +147,15 @@ class World final : public Environment {
     }
   }
 
+  [[nodiscard]] bool is_unchanged(AgentId agent) const override {
+    Look& look = looks_[agent];
+    look.is_due = ask(agent, look);
+    return !look.is_due;
+  }
   void perceive(AgentId agent, Percepts& percepts) const override {
-    const py::gil_scoped_acquire acquire;
-    std::vector<Percept>& known = known_[agent];
-    try {
-      const py::object told = self_.attr("percepts")(interpreter_.agent_name(agent));
-      if (!told.is_none()) known = read(told);  // None: they are what they were
-    } catch (py::error_already_set&) {
-      interpreter_.thrown().keep_current();
-    } catch (py::builtin_exception&) {
-      interpreter_.thrown().keep_current();
-    }
-    for (const Percept& each : known) add_percept(percepts, each.predicate, each.args);
+    Look& look = looks_[agent];
+    if (!std::exchange(look.is_due, false)) (void)ask(agent, look);
+    for (const GroundLiteral& each : look.percepts) add_percept(percepts, each);
   }
 
   void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override {
@@ -160,6 +164,8 @@ class World final : public Environment {
       const std::string& agent = interpreter_.agent_name(actions[i].agent);
       try {
         const py::object done = self_.attr("act")(agent, action(actions[i]));
+        results[i].is_pending = py::isinstance(done, pending_class());
+        if (results[i].is_pending) slow_.emplace_back(actions[i].number, done);
         results[i].succeeded = done.is_none() || py::bool_(done);
       } catch (py::error_already_set& error) {
         results[i] = {
@@ -167,6 +173,18 @@ class World final : public Environment {
             .reason = failure_text(error, "act() of the environment", interpreter_.thrown())};
       }
     }
+  }
+  void take_results(const ResultReceiver& deliver) override {
+    if (slow_.empty()) return;
+    const py::gil_scoped_acquire acquire;
+    std::erase_if(slow_, [&](const auto& each) {
+      const py::object failure = each.second.attr("_failure");
+      if (failure.is_none()) return false;
+      const auto reason = failure.template cast<std::string>();
+      deliver(each.first, {.succeeded = !each.second.attr("_has_failed").template cast<bool>(),
+                           .reason = reason});
+      return true;
+    });
   }
 
   void advance() override {
@@ -189,31 +207,39 @@ class World final : public Environment {
   [[nodiscard]] double tick_ms() const override { return tick_ms_; }
 
  private:
-  struct Percept {
-    Predicate predicate{};
-    std::vector<Value> args;
+  struct Look {
+    std::vector<GroundLiteral> percepts;
+    std::vector<GroundLiteral> before;  // until the agent has looked again
+    bool is_due = false;                // percepts() has returned these for the look that follows
   };
 
-  [[nodiscard]] Value percept_arg(py::handle arg) const {
-    const Value value = from_python(Terms(heap_, interpreter_.symbols()), arg);
-    if (value.is_number() || value.is_atom()) return value;
-    throw py::type_error("a percept's arguments are numbers and atoms, found " +
-                         py::repr(arg).cast<std::string>());
+  /// Asks for the agent's percepts. False: they are unchanged, or the answer was an error.
+  bool ask(AgentId agent, Look& look) const {
+    const py::gil_scoped_acquire acquire;
+    try {
+      const py::object told = self_.attr("percepts")(interpreter_.agent_name(agent));
+      if (told.is_none()) return false;
+      std::vector<GroundLiteral> percepts = read(told);
+      look.before = std::exchange(look.percepts, std::move(percepts));
+      return true;
+    } catch (py::error_already_set&) {
+      interpreter_.thrown().keep_current();
+    } catch (py::builtin_exception&) {
+      interpreter_.thrown().keep_current();
+    }
+    return false;
   }
 
-  [[nodiscard]] std::vector<Percept> read(const py::object& told) const {
-    std::vector<Percept> percepts;
+  [[nodiscard]] std::vector<GroundLiteral> read(const py::object& told) const {
+    std::vector<GroundLiteral> percepts;
     for (const py::handle each : told) {
-      const py::object read = as_literal(each);
-      const auto args = read.attr("args").cast<py::tuple>();
-      if (py::len(read.attr("annotations")) != 0) {
-        throw py::type_error("a percept has no annotations, found " +
-                             py::repr(read).cast<std::string>());
-      }
-      Percept& percept = percepts.emplace_back();
-      percept.predicate = predicate_named(interpreter_.symbols(),
-                                          read.attr("functor").cast<std::string>(), args.size());
-      for (const py::handle arg : args) percept.args.push_back(percept_arg(arg));
+      const py::object literal = as_literal(each);
+      percepts.emplace_back(interpreter_.symbols(), [&](Terms terms) {
+        const Value value = from_python(terms, literal);
+        if (value.is_closed()) return value;
+        throw py::type_error("a percept has no variables, found " +
+                             py::repr(literal).cast<std::string>());
+      });
     }
     return percepts;
   }
@@ -231,8 +257,9 @@ class World final : public Environment {
   PyInterpreter& interpreter_;
   py::object self_;
   double tick_ms_;
-  mutable Heap heap_;  // to read terms with; numbers and atoms are not in it
-  mutable std::map<AgentId, std::vector<Percept>> known_;
+  mutable Heap heap_;  // to read actions with
+  mutable std::map<AgentId, Look> looks_;
+  std::vector<std::pair<std::uint64_t, py::object>> slow_;  // actions that go on, by their numbers
 };
 
 PyInterpreter::PyInterpreter(std::uint64_t seed, const py::object& print, const py::object& log,
@@ -292,13 +319,42 @@ Outcome PyInterpreter::call(Call& call, const std::string& name, bool has_result
   }
 }
 
-void PyInterpreter::add_action(const std::string& name, int args, bool has_result,
-                               const py::function& body) {
+void PyInterpreter::add_action(const std::string& name, int args, const py::function& body,
+                               bool has_result) {
   functions_.push_back(body);
   const std::size_t index = functions_.size() - 1;
   interpreter_->add_action(name, args, args, [this, name, has_result, index](Call& call) {
     return this->call(call, name, has_result, functions_[index]);
   });
+}
+
+void PyInterpreter::add_arithmetic(const std::string& name, int args, const py::function& body) {
+  functions_.push_back(body);
+  const std::size_t index = functions_.size() - 1;
+  const auto evaluate = [this, name, index](std::span<const Value> given, Heap& heap,
+                                            SymbolTable& symbols, Value& result) {
+    const py::gil_scoped_acquire acquire;
+    const Terms terms(heap, symbols);
+    try {
+      py::tuple values(given.size());
+      for (std::size_t i = 0; i < given.size(); ++i) values[i] = to_python(terms, given[i]);
+      const Value found = from_python(terms, functions_[index](*values));
+      if (!found.is_number()) throw py::type_error("expected a number as its result");
+      result = found;
+      return true;
+    } catch (py::error_already_set& error) {
+      (void)failure_text(error, name, thrown_);
+    } catch (py::builtin_exception& error) {
+      (void)term_part("report_exception")(name, py::str(error.what()));
+    }
+    return false;
+  };
+  interpreter_->add_function({.name = name,
+                              .least_args = args,
+                              .most_args = args,
+                              .signature = name + "(...)",
+                              .summary = {},
+                              .own = evaluate});
 }
 
 LoadedProgram PyInterpreter::load(const std::string& name, const std::optional<std::string>& text,
@@ -412,6 +468,7 @@ void add_agents(py::module_& module) {
   py::class_<PyInterpreter>(module, "Interpreter")
       .def(py::init<std::uint64_t, py::object, py::object, py::object, std::uint64_t, bool>())
       .def("add_action", &PyInterpreter::add_action)
+      .def("add_arithmetic", &PyInterpreter::add_arithmetic)
       .def("load", &PyInterpreter::load, py::keep_alive<0, 1>())
       .def("add_agent", &PyInterpreter::add_agent)
       .def("run", &PyInterpreter::run)

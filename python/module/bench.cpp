@@ -178,8 +178,22 @@ py::dict to_python(const ComparisonReport& report) {
     }
     rows.append(said);
   }
+  py::list kills;
+  for (const KillTally& tally : report.kills) {
+    py::dict said;
+    said["behaviour"] = tally.behaviour;
+    said["agents"] = tally.agents;
+    said["defect"] = tally.defect;
+    said["tests"] = tally.tests;
+    said["kills"] = tally.kills;
+    said["healthy_failures"] = tally.healthy_failures;
+    said["first_kill_median"] =
+        tally.first_kill_median ? py::object(py::int_(*tally.first_kill_median)) : py::none();
+    kills.append(said);
+  }
   py::dict said;
   said["rows"] = rows;
+  said["kills"] = kills;
   said["is_complete"] = report.is_complete;
   said["csv"] = report.csv;
   said["json"] = report.json;

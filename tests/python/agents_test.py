@@ -284,12 +284,97 @@ class EnvironmentTest(unittest.TestCase):
     def test_ends_the_run_with_the_exception_of_its_percepts(self):
         class Broken(Room):
             def percepts(self, agent):
-                return [Structure("name", ("a string",))]
+                return [Structure("name", ([1, None],))]
 
         interpreter = jaywalk.Interpreter(environment=Broken())
         interpreter.add_agent("ann")
-        with self.assertRaisesRegex(TypeError, "a percept's arguments are numbers and atoms"):
+        with self.assertRaisesRegex(TypeError, "a percept has no variables"):
             interpreter.run()
+
+    def test_evaluates_functions_in_arithmetic(self):
+        lines = []
+        interpreter = jaywalk.Interpreter(print=lines.append)
+
+        @interpreter.arithmetic("road.kmh")
+        def kmh(speed: float):
+            return speed * 3.6
+
+        @interpreter.arithmetic("road.broken")
+        def broken(of):
+            return "fast" if of else 1 / of
+
+        interpreter.add_agent(
+            "ann",
+            "!a. !b(0). !b(1). +!a <- X = road.kmh(10) + 1; .print(X). +!b(N) <- .print(road.broken(N) + 1).",
+        )
+        shown = io.StringIO()
+        with contextlib.redirect_stderr(shown):
+            interpreter.run()
+        self.assertEqual(sorted(lines), ["[ann] (road.broken(0)+1)", "[ann] (road.broken(1)+1)", "[ann] 37"])
+        self.assertIn("ZeroDivisionError", shown.getvalue())
+        self.assertIn("expected a number as its result", shown.getvalue())
+
+    def test_perceives_any_terms(self):
+        class Shelf(jaywalk.Environment):
+            def percepts(self, agent):
+                return ['book("Ulysses", [1922, pages(732)])[seen_by(eye)]', Structure("~open", (Structure("lid", (1,)),))]
+
+        lines = []
+        interpreter = jaywalk.Interpreter(environment=Shelf(), print=lines.append)
+        interpreter.add_agent(
+            "ann",
+            "+book(T, [Y, P])[seen_by(S)] <- .print(T, Y, P, S)." "+~open(L) <- .print(L).",
+        )
+        for _ in range(3):
+            interpreter.step()
+        self.assertEqual(lines, ["[ann] Ulysses1922pages(732)eye", "[ann] lid(1)"])
+
+    def test_lets_actions_take_longer(self):
+        class Oven(jaywalk.Environment):
+            tick = 0
+
+            def __init__(self):
+                self.baking = {}
+
+            def act(self, agent, action):
+                return self.baking.setdefault(str(action), jaywalk.Pending())
+
+            def advance(self):
+                self.tick += 1
+                if self.tick == 3:
+                    self.baking["bake(bread)"].succeed()
+                if self.tick == 2:
+                    self.baking["bake(cake)"].fail("too hot")
+                    self.baking["bake(cake)"].succeed()
+
+        lines = []
+        interpreter = jaywalk.Interpreter(environment=Oven(), print=lines.append)
+        interpreter.add_agent(
+            "ann",
+            "!b. !c. +!b <- bake(bread); .print(bread). +!c <- bake(cake)." "-!c[error_msg(M)] <- .print(M).",
+        )
+        printed = []
+        for _ in range(6):
+            interpreter.step()
+            printed.append(len(lines))
+        self.assertEqual(lines, ["[ann] too hot", "[ann] bread"])
+        self.assertEqual(printed, [0, 0, 1, 2, 2, 2])
+
+    def test_keeps_beliefs_while_percepts_are_none(self):
+        class Lamp(jaywalk.Environment):
+            looks = 0
+
+            def percepts(self, agent):
+                self.looks += 1
+                return ["lit"] if self.looks in (1, 5) else None
+
+        lines = []
+        world = Lamp()
+        interpreter = jaywalk.Interpreter(environment=world, print=lines.append)
+        interpreter.add_agent("ann", "+lit <- .print(lit); -lit[source(percept)].")
+        for _ in range(6):
+            interpreter.step()
+        self.assertEqual((lines, world.looks), (["[ann] lit", "[ann] lit"], 6))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 """Scenarios, comparisons, stores and AVs from Python."""
 import contextlib
 import io
+import json
 import os
 import pathlib
 import tempfile
@@ -21,6 +22,53 @@ class ScenarioTest(unittest.TestCase):
         self.assertEqual(results.accuracy[("crosser", 1)], 100 * results.rows[0]["successes"] / 20)
         self.assertIn("crosser", str(results))
         self.assertIn("<td>crosser</td>", results._repr_html_())
+
+    def test_gives_the_tables_of_a_store(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "100% #1?.gpkg")
+            jaywalk.compare("rules_of_the_road", behaviours=["brink"], agents=1, tests=12, store=path)
+            store = jaywalk.open(path)
+            results = store.table()
+            self.assertEqual(len(results), 12)
+            self.assertEqual(list(results["succeeded"].astype(bool)), [test["succeeded"] for test in store.tests()])
+            failed = store.table("assessments").query("verdict == 'fail'")
+            self.assertGreater(len(failed), 0)
+            for row in results.itertuples():
+                names = list(failed[failed["test_id"] == row.id]["name"])
+                self.assertEqual((row.failed or "").split(), names)
+            with self.assertRaisesRegex(KeyError, "no table 'result'"):
+                store.table("result")
+
+    def test_counts_the_defects_that_a_behaviour_kills(self):
+        behaviours = ["hunter", "random_behaviour"]
+        results = jaywalk.compare("defects", behaviours=behaviours, agents=1, tests=40,
+                                  defects=["short-range=12", "latency=0.9"])  # fmt: skip
+        kills = results.kills
+        self.assertEqual(list(kills["behaviour"]), ["hunter", "hunter", "random_behaviour", "random_behaviour"])
+        self.assertEqual(set(kills["defect"]), {"short-range=12", "latency=0.9"})
+        self.assertTrue((kills["tests"] == 40).all())
+        self.assertTrue((kills["healthy_failures"] == 0).all())
+        counted = kills.groupby("behaviour")["kills"].sum()
+        self.assertGreater(counted["hunter"], counted["random_behaviour"])
+        self.assertEqual(counted["hunter"], next(row["kills"] for row in json.loads(results.json)["kills"]["rows"] if row["behaviour"] == "hunter"))
+
+    def test_counts_the_kills_of_an_own_av(self):
+        class Careful(jaywalk.AV):
+            def act(self, view):
+                near = [each for each in view.actors if -1 < each.gap_m < 25 and each.kind == "pedestrian"]
+                return -9.0 if near else 1.0
+
+        results = jaywalk.compare("rules_of_the_road", behaviours=["brink"], agents=1, tests=30, av=Careful, defects="latency=0.9")
+        self.assertEqual(list(results.kills["tests"]), [30])
+
+    def test_has_no_kills_without_defects(self):
+        results = jaywalk.compare("rules_of_the_road", behaviours=["brink"], agents=1, tests=2)
+        self.assertTrue(results.kills.empty)
+        self.assertIn("defect", results.kills.columns)
+
+    def test_refuses_defects_that_there_are_not(self):
+        with self.assertRaisesRegex(jaywalk.Error, "did you mean 'latency'"):
+            jaywalk.compare("rules_of_the_road", defects="latancy")
 
     def test_gives_the_same_results_for_any_number_of_threads(self):
         one = jaywalk.compare("paper", behaviours=["random_behaviour", "proximity"], tests=30, agents=2, threads=1)

@@ -63,9 +63,27 @@ struct ComparisonRow {
   [[nodiscard]] Estimate measure(std::string_view name) const;
 };
 
+/// How many tests of one behaviour with one number of agents kill a defect of the AV: with the same
+/// seed the AV without it breaks no assertion, and with it one that it could have kept.
+struct KillTally {
+  std::string behaviour;
+  std::uint32_t agents = 0;
+  /// With its severity: `latency=0.3`.
+  std::string defect;
+  /// Tests that ended errored are not among them.
+  std::uint64_t tests = 0;
+  std::uint64_t kills = 0;
+  /// In how many tests the AV without the defect is to blame itself; these kill nothing.
+  std::uint64_t healthy_failures = 0;
+  /// How many tests it takes to kill the defect with a chance of a half, if some test does.
+  std::optional<std::uint64_t> first_kill_median;
+};
+
 struct ComparisonReport {
   /// In the order of behaviours, then of numbers of agents; those all of whose tests are done.
   std::vector<ComparisonRow> rows;
+  /// Of scenarios whose `experiment.defects` names some; those all of whose tests are done.
+  std::vector<KillTally> kills;
   /// False if it was ended before all tests were run.
   bool is_complete = true;
 
