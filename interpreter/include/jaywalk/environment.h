@@ -10,8 +10,8 @@
 //   });
 //
 // An environment enters the names of its percepts and actions into the table when it is made
-// (predicate_named of value.h), and compares numbers from then on. Names that it meets later go into
-// the table of the run (`begin`).
+// (predicate_named of value.h), and compares numbers from then on. Names that it meets later go
+// into the table of the run (`begin`).
 
 #include <cstdint>
 #include <functional>
@@ -56,7 +56,7 @@ class GroundLiteral {
   Value annotations_;
 };
 
-/// The same for any percept, which must outlive the agent's next look. As in Jason, annotations
+/// Adds a percept of any terms, which must outlive the agent's next look. As in Jason, annotations
 /// count when the agent begins to perceive the literal; while it does, others change nothing.
 void add_percept(Percepts& percepts, const GroundLiteral& literal);
 
