@@ -111,8 +111,8 @@ class Reader {
     }
     const FunctionDefinition* const function = program_.actions().function(functor, arity);
     const FunctionDefinition* const standard = standard_actions().function(functor, arity);
-    return function != nullptr && (standard == nullptr || function->own ||
-                                   standard->function != function->function);
+    return function != nullptr &&
+           (standard == nullptr || function->own || standard->function != function->function);
   }
 
   const Program& program_;

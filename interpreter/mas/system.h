@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "interpreter/agent/surroundings/host.h"

@@ -5,7 +5,8 @@
 // everything happens in a fixed order, so that a run is a function of the programs, the environment
 // and the seed:
 //
-//   1. results of actions that took longer than a tick reach their agents, and every agent perceives
+//   1. results of actions that took longer than a tick reach their agents, and every agent
+//   perceives
 //      the world as the last tick left it;
 //   2. rounds: every active agent reasons until it is idle or has chosen an action; then messages
 //      are delivered, in the order (sender, sequence); again, until no agent has anything to do;
