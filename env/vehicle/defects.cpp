@@ -10,14 +10,9 @@
 
 #include <fmt/format.h>
 
-namespace jaywalk {
+#include "env/vehicle/defects/defective.h"
 
-// Each row's function, which is in the file of its family.
-#define JAYWALK_DEFECT(name, family, unit, function, summary, source, ...)              \
-  std::unique_ptr<VehicleController> function(std::unique_ptr<VehicleController> inner, \
-                                              double severity);
-#include "env/vehicle/defects.def"
-#undef JAYWALK_DEFECT
+namespace jaywalk {
 
 namespace {
 
@@ -57,7 +52,7 @@ std::string_view name(DefectFamily family) {
 std::span<const DefectModel> defect_models() {
 #define JAYWALK_DEFECT(name, family, unit, function, summary, source, ...) \
   DefectModel{name, DefectFamily::family, unit, severities_of::function, summary, source, function},
-  static constexpr std::array kModels{
+  static const std::array kModels{
 #include "env/vehicle/defects.def"
   };
 #undef JAYWALK_DEFECT

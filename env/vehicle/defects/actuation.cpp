@@ -10,31 +10,20 @@
 namespace jaywalk {
 namespace {
 
-using Inner = std::unique_ptr<VehicleController>;
-
 /// Released at once.
 class SlowBrakes final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     const double grown = braking_mps2_ + kFullBrakingMps2 / severity_ * view.period_s;
     braking_mps2_ = std::clamp(-wanted_mps2, 0.0, grown);
     return std::max(wanted_mps2, -grown);
   }
 
- private:
   static constexpr double kFullBrakingMps2 = 8;
 
   double braking_mps2_ = 0;
 };
 
 class LowFriction final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView&, double wanted_mps2) override {
     const double most = severity_ * kGravityMps2;
     return std::clamp(wanted_mps2, -most, most);
@@ -42,10 +31,6 @@ class LowFriction final : public Defective {
 };
 
 class BrakeFade final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView&, double wanted_mps2) override {
     const bool braking = brakes(wanted_mps2);
     if (was_braking_ && !braking) is_hot_ = true;
@@ -53,16 +38,11 @@ class BrakeFade final : public Defective {
     return braking && is_hot_ ? wanted_mps2 * severity_ / 100 : wanted_mps2;
   }
 
- private:
   bool was_braking_ = false;
   bool is_hot_ = false;
 };
 
 class WeakBrakes final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView&, double wanted_mps2) override {
     return wanted_mps2 < 0 ? wanted_mps2 * severity_ / 100 : wanted_mps2;
   }
@@ -70,10 +50,6 @@ class WeakBrakes final : public Defective {
 
 /// The pedal changes once the other one has been wanted for as long.
 class PedalChange final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     if (brakes(wanted_mps2) == on_brake_) {
       since_s_.reset();
@@ -86,17 +62,12 @@ class PedalChange final : public Defective {
     return wanted_mps2;
   }
 
- private:
   bool on_brake_ = false;
   std::optional<double> since_s_;
 };
 
 /// Before its first decision comes through it does nothing.
 class ActuationDelay final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     decisions_.push_back({view.time_s, wanted_mps2});
     const double done_s = view.time_s - severity_ + kTimeRoundingS;
@@ -104,7 +75,6 @@ class ActuationDelay final : public Defective {
     return decisions_.front().time_s <= done_s ? decisions_.front().acceleration_mps2 : 0;
   }
 
- private:
   struct Decision {
     double time_s = 0;
     double acceleration_mps2 = 0;
@@ -114,28 +84,11 @@ class ActuationDelay final : public Defective {
 
 }  // namespace
 
-std::unique_ptr<VehicleController> make_slow_brakes(Inner inner, double severity) {
-  return std::make_unique<SlowBrakes>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_low_friction(Inner inner, double severity) {
-  return std::make_unique<LowFriction>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_brake_fade(Inner inner, double severity) {
-  return std::make_unique<BrakeFade>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_pedal_change(Inner inner, double severity) {
-  return std::make_unique<PedalChange>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_actuation_delay(Inner inner, double severity) {
-  return std::make_unique<ActuationDelay>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_weak_brakes(Inner inner, double severity) {
-  return std::make_unique<WeakBrakes>(std::move(inner), severity);
-}
+const DefectMaker make_slow_brakes = put<SlowBrakes>;
+const DefectMaker make_low_friction = put<LowFriction>;
+const DefectMaker make_brake_fade = put<BrakeFade>;
+const DefectMaker make_pedal_change = put<PedalChange>;
+const DefectMaker make_actuation_delay = put<ActuationDelay>;
+const DefectMaker make_weak_brakes = put<WeakBrakes>;
 
 }  // namespace jaywalk

@@ -9,13 +9,7 @@
 namespace jaywalk {
 namespace {
 
-using Inner = std::unique_ptr<VehicleController>;
-
 class Confirmation final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     if (!brakes(wanted_mps2)) {
       since_s_.reset();
@@ -25,15 +19,10 @@ class Confirmation final : public Defective {
     return view.time_s - *since_s_ + kTimeRoundingS < severity_ ? 0 : wanted_mps2;
   }
 
- private:
   std::optional<double> since_s_;
 };
 
 class BrakesOnce final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     std::erase_if(sensed.actors, [&](const SeenActor& actor) {
       const auto conflict = conflicts_.find(actor.id);
@@ -53,7 +42,6 @@ class BrakesOnce final : public Defective {
     return wanted_mps2;
   }
 
- private:
   enum class Conflict { braked_for, over };
 
   std::map<std::uint32_t, Conflict> conflicts_;
@@ -61,10 +49,6 @@ class BrakesOnce final : public Defective {
 };
 
 class NearestOnly final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView&, Sensed& sensed) override {
     std::erase_if(sensed.actors, [](const SeenActor& actor) { return actor.gap_m < 0; });
     const auto nearest = std::ranges::min_element(sensed.actors, {}, &SeenActor::gap_m);
@@ -73,30 +57,18 @@ class NearestOnly final : public Defective {
 };
 
 class ComfortBraking final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView&, double wanted_mps2) override {
     return std::max(wanted_mps2, -severity_);
   }
 };
 
 class OffWhenSlow final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     return view.speed_mps < severity_ ? std::max(wanted_mps2, 0.0) : wanted_mps2;
   }
 };
 
 class OffWhenFast final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     return view.speed_mps > severity_ ? std::max(wanted_mps2, 0.0) : wanted_mps2;
   }
@@ -104,26 +76,17 @@ class OffWhenFast final : public Defective {
 
 /// Slows no further than to its creeping speed, and comes up to it.
 class Creeps final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     const double to_creeping = (severity_ - view.speed_mps) / view.period_s;
     // Below its creeping speed it pushes on, however hard the inner controller brakes.
     return std::max(wanted_mps2, std::min(to_creeping, kPushMps2));
   }
 
- private:
   static constexpr double kPushMps2 = 1;
 };
 
 /// It counts as waiting that it brakes, and that it does not drive on though it is slow.
 class GivesUp final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   double act(const VehicleView& view, double wanted_mps2) override {
     const bool is_slow = view.speed_mps < view.cruise_mps - kStandingMps;
     if (!brakes(wanted_mps2) && !(is_slow && wanted_mps2 <= 0)) {
@@ -135,17 +98,12 @@ class GivesUp final : public Defective {
     return waits ? wanted_mps2 : resume(view, kDrivesOnMps2);
   }
 
- private:
   static constexpr double kDrivesOnMps2 = 2;
 
   std::optional<double> since_s_;
 };
 
 class BlindAfterStop final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     const bool stands = view.speed_mps < kStandingMps;
     if (stood_ && !stands) moved_off_at_s_ = view.time_s;
@@ -154,7 +112,6 @@ class BlindAfterStop final : public Defective {
     if (view.time_s - *moved_off_at_s_ + kTimeRoundingS < severity_) sensed.actors.clear();
   }
 
- private:
   bool stood_ = false;
   std::optional<double> moved_off_at_s_;
 };
@@ -166,53 +123,22 @@ bool has_passed_the_middle(const VehicleView& view, const SeenActor& actor, doub
          (actor.speed_right_mps < 0 && actor.right_m < middle);
 }
 
+bool is_pedestrian(const VehicleView&, const SeenActor& actor, double) {
+  return actor.kind == ActorKind::pedestrian;
+}
+
 }  // namespace
 
-std::unique_ptr<VehicleController> make_confirmation(Inner inner, double severity) {
-  return std::make_unique<Confirmation>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_brakes_once(Inner inner, double severity) {
-  return std::make_unique<BrakesOnce>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_resumes_early(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity, has_passed_the_middle);
-}
-
-std::unique_ptr<VehicleController> make_nearest_only(Inner inner, double severity) {
-  return std::make_unique<NearestOnly>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_comfort_braking(Inner inner, double severity) {
-  return std::make_unique<ComfortBraking>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_off_when_slow(Inner inner, double severity) {
-  return std::make_unique<OffWhenSlow>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_off_when_fast(Inner inner, double severity) {
-  return std::make_unique<OffWhenFast>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_creeps(Inner inner, double severity) {
-  return std::make_unique<Creeps>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_gives_up(Inner inner, double severity) {
-  return std::make_unique<GivesUp>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_zebra_only(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView&, const SeenActor& actor, double) {
-                    return actor.kind == ActorKind::pedestrian;
-                  });
-}
-
-std::unique_ptr<VehicleController> make_blind_after_stop(Inner inner, double severity) {
-  return std::make_unique<BlindAfterStop>(std::move(inner), severity);
-}
+const DefectMaker make_confirmation = put<Confirmation>;
+const DefectMaker make_brakes_once = put<BrakesOnce>;
+const DefectMaker make_resumes_early = put<Unseeing<has_passed_the_middle>>;
+const DefectMaker make_nearest_only = put<NearestOnly>;
+const DefectMaker make_comfort_braking = put<ComfortBraking>;
+const DefectMaker make_off_when_slow = put<OffWhenSlow>;
+const DefectMaker make_off_when_fast = put<OffWhenFast>;
+const DefectMaker make_creeps = put<Creeps>;
+const DefectMaker make_gives_up = put<GivesUp>;
+const DefectMaker make_zebra_only = put<Unseeing<is_pedestrian>>;
+const DefectMaker make_blind_after_stop = put<BlindAfterStop>;
 
 }  // namespace jaywalk

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "env/vehicle/defects.h"
 #include "env/vehicle/hazards.h"
-#include "env/vehicle/vehicle.h"
 
 namespace jaywalk {
 
@@ -24,8 +24,10 @@ struct Sensed {
 
 class Defective : public VehicleController {
  public:
-  Defective(std::unique_ptr<VehicleController> inner, double severity)
-      : severity_(severity), inner_(std::move(inner)) {}
+  void put_on(std::unique_ptr<VehicleController> inner, double severity) {
+    inner_ = std::move(inner);
+    severity_ = severity;
+  }
 
   VehicleDecision decide(const VehicleView& view) final {
     Sensed sensed{{view.actors.begin(), view.actors.end()},
@@ -48,34 +50,36 @@ class Defective : public VehicleController {
   /// Turns the acceleration that the inner controller wants into that of the vehicle.
   virtual double act(const VehicleView& /*view*/, double wanted_mps2) { return wanted_mps2; }
 
-  const double severity_;  // in the row's unit
+  double severity_ = 0;  // in the row's unit
 
  private:
   std::unique_ptr<VehicleController> inner_;
 };
 
 /// Does not see actors for which the predicate of view, actor and severity is true.
-template <class Predicate>
+template <bool (*is_missed)(const VehicleView&, const SeenActor&, double)>
 class Unseeing final : public Defective {
- public:
-  Unseeing(std::unique_ptr<VehicleController> inner, double severity, Predicate is_missed)
-      : Defective(std::move(inner), severity), is_missed_(std::move(is_missed)) {}
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     std::erase_if(sensed.actors,
-                  [&](const SeenActor& each) { return is_missed_(view, each, severity_); });
+                  [&](const SeenActor& each) { return is_missed(view, each, severity_); });
   }
-
- private:
-  Predicate is_missed_;
 };
 
-template <class Predicate>
-std::unique_ptr<VehicleController> unseeing(std::unique_ptr<VehicleController> inner,
-                                            double severity, Predicate is_missed) {
-  return std::make_unique<Unseeing<Predicate>>(std::move(inner), severity, std::move(is_missed));
+using DefectMaker = decltype(DefectModel::make);
+
+/// Puts a defect on a controller.
+template <class Defect>
+std::unique_ptr<VehicleController> put(std::unique_ptr<VehicleController> inner, double severity) {
+  auto defect = std::make_unique<Defect>();
+  defect->put_on(std::move(inner), severity);
+  return defect;
 }
+
+// Each row's maker, which is in the file of its family.
+#define JAYWALK_DEFECT(name, family, unit, maker, summary, source, ...) \
+  extern const DefectMaker maker;
+#include "env/vehicle/defects.def"
+#undef JAYWALK_DEFECT
 
 /// Times are sums of periods; those that differ by less are equal but for rounding.
 inline constexpr double kTimeRoundingS = 1e-9;

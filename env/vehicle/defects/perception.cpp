@@ -13,14 +13,8 @@
 namespace jaywalk {
 namespace {
 
-using Inner = std::unique_ptr<VehicleController>;
-
 /// Before it has seen anything for so long, it sees the first picture.
 class Latency final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     pictures_.push_back({view.time_s, sensed});
     const double shown_s = view.time_s - severity_ + kTimeRoundingS;
@@ -28,7 +22,6 @@ class Latency final : public Defective {
     sensed = pictures_.front().sensed;
   }
 
- private:
   struct Picture {
     double time_s = 0;
     Sensed sensed;
@@ -38,10 +31,6 @@ class Latency final : public Defective {
 
 /// Windows in which it sees and in which it does not take turns, seeing first.
 class FrozenFrames final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     const bool sees = std::fmod(view.time_s + kTimeRoundingS, 2 * severity_) < severity_;
     if (sees) {
@@ -51,16 +40,11 @@ class FrozenFrames final : public Defective {
     }
   }
 
- private:
   Sensed last_;
 };
 
 /// Actors present when the drive begins count as tracked.
 class SlowTracking final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     const double begins_s =
         is_first_ ? -std::numeric_limits<double>::infinity() : view.time_s + kTimeRoundingS;
@@ -76,17 +60,12 @@ class SlowTracking final : public Defective {
     });
   }
 
- private:
   bool is_first_ = true;
   std::map<std::uint32_t, double> since_s_;
 };
 
 /// A controller remembers an actor by its number.
 class ClassChange final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     const double classes = (view.time_s + kTimeRoundingS) / severity_;
     const double whole = std::floor(classes);
@@ -98,17 +77,12 @@ class ClassChange final : public Defective {
     }
   }
 
- private:
   // More than there are actors, and as many changes as their numbers leave room for.
   static constexpr std::uint32_t kNumbers = 1'000'000;
   static constexpr double kMostChanges = 4000;
 };
 
 class MergedGroup final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView&, Sensed& sensed) override {
     std::vector<SeenActor> kept;
     for (const SeenActor& actor : sensed.actors) {
@@ -123,10 +97,6 @@ class MergedGroup final : public Defective {
 };
 
 class LateralBias final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView&, Sensed& sensed) override {
     for (SeenActor& actor : sensed.actors) {
       actor.left_m += severity_;
@@ -136,10 +106,6 @@ class LateralBias final : public Defective {
 };
 
 class RangeBias final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView&, Sensed& sensed) override {
     for (SeenActor& actor : sensed.actors) actor.gap_m += severity_;
   }
@@ -168,109 +134,65 @@ bool is_near_obstacle(const VehicleView& view, const SeenActor& actor, double me
   });
 }
 
+bool is_far(const VehicleView&, const SeenActor& actor, double range_m) {
+  return actor.gap_m > range_m;
+}
+
+bool is_outside_angle(const VehicleView& view, const SeenActor& actor, double degrees) {
+  return !is_in_angle(view, actor, degrees);
+}
+
+bool stands(const VehicleView&, const SeenActor& actor, double) {
+  return speed_of(actor) < kStandingMps;
+}
+
+bool is_beside_lane(const VehicleView& view, const SeenActor& actor, double) {
+  return middle_of(actor) < view.lane_left_m || middle_of(actor) > view.lane_right_m;
+}
+
+bool is_beside_path(const VehicleView& view, const SeenActor& actor, double) {
+  return !is_over(actor, {view.left_m, view.right_m});
+}
+
+bool is_off_crossing(const VehicleView& view, const SeenActor& actor, double metres) {
+  return actor.kind == ActorKind::pedestrian && !is_near_crosswalk(view, actor, metres);
+}
+
+bool is_close(const VehicleView&, const SeenActor& actor, double metres) {
+  return actor.gap_m < metres;
+}
+
+bool is_left(const VehicleView& view, const SeenActor& actor, double) {
+  return middle_of(actor) < middle_of_body(view);
+}
+
+bool is_right(const VehicleView& view, const SeenActor& actor, double) {
+  return middle_of(actor) > middle_of_body(view);
+}
+
+bool is_fast(const VehicleView&, const SeenActor& actor, double fastest_mps) {
+  return speed_of(actor) > fastest_mps;
+}
+
 }  // namespace
 
-std::unique_ptr<VehicleController> make_latency(Inner inner, double severity) {
-  return std::make_unique<Latency>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_short_range(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView&, const SeenActor& actor, double range_m) {
-                    return actor.gap_m > range_m;
-                  });
-}
-
-std::unique_ptr<VehicleController> make_narrow_view(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView& view, const SeenActor& actor, double degrees) {
-                    return !is_in_angle(view, actor, degrees);
-                  });
-}
-
-std::unique_ptr<VehicleController> make_blind_to_standing(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView&, const SeenActor& actor, double) {
-                    return speed_of(actor) < kStandingMps;
-                  });
-}
-
-std::unique_ptr<VehicleController> make_own_lane_only(Inner inner, double severity) {
-  return unseeing(
-      std::move(inner), severity, [](const VehicleView& view, const SeenActor& actor, double) {
-        return middle_of(actor) < view.lane_left_m || middle_of(actor) > view.lane_right_m;
-      });
-}
-
-std::unique_ptr<VehicleController> make_own_path_only(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView& view, const SeenActor& actor, double) {
-                    return !is_over(actor, {view.left_m, view.right_m});
-                  });
-}
-
-std::unique_ptr<VehicleController> make_slow_tracking(Inner inner, double severity) {
-  return std::make_unique<SlowTracking>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_class_change(Inner inner, double severity) {
-  return std::make_unique<ClassChange>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_merged_group(Inner inner, double severity) {
-  return std::make_unique<MergedGroup>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_off_crossing(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView& view, const SeenActor& actor, double metres) {
-                    return actor.kind == ActorKind::pedestrian &&
-                           !is_near_crosswalk(view, actor, metres);
-                  });
-}
-
-std::unique_ptr<VehicleController> make_near_obstacle(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity, is_near_obstacle);
-}
-
-std::unique_ptr<VehicleController> make_near_blind(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView&, const SeenActor& actor, double metres) {
-                    return actor.gap_m < metres;
-                  });
-}
-
-std::unique_ptr<VehicleController> make_frozen_frames(Inner inner, double severity) {
-  return std::make_unique<FrozenFrames>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_lateral_bias(Inner inner, double severity) {
-  return std::make_unique<LateralBias>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_range_bias(Inner inner, double severity) {
-  return std::make_unique<RangeBias>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_blind_left(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView& view, const SeenActor& actor, double) {
-                    return middle_of(actor) < middle_of_body(view);
-                  });
-}
-
-std::unique_ptr<VehicleController> make_blind_right(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView& view, const SeenActor& actor, double) {
-                    return middle_of(actor) > middle_of_body(view);
-                  });
-}
-
-std::unique_ptr<VehicleController> make_fast_as_noise(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity,
-                  [](const VehicleView&, const SeenActor& actor, double fastest_mps) {
-                    return speed_of(actor) > fastest_mps;
-                  });
-}
+const DefectMaker make_latency = put<Latency>;
+const DefectMaker make_short_range = put<Unseeing<is_far>>;
+const DefectMaker make_narrow_view = put<Unseeing<is_outside_angle>>;
+const DefectMaker make_blind_to_standing = put<Unseeing<stands>>;
+const DefectMaker make_own_lane_only = put<Unseeing<is_beside_lane>>;
+const DefectMaker make_own_path_only = put<Unseeing<is_beside_path>>;
+const DefectMaker make_slow_tracking = put<SlowTracking>;
+const DefectMaker make_class_change = put<ClassChange>;
+const DefectMaker make_merged_group = put<MergedGroup>;
+const DefectMaker make_off_crossing = put<Unseeing<is_off_crossing>>;
+const DefectMaker make_near_obstacle = put<Unseeing<is_near_obstacle>>;
+const DefectMaker make_near_blind = put<Unseeing<is_close>>;
+const DefectMaker make_frozen_frames = put<FrozenFrames>;
+const DefectMaker make_lateral_bias = put<LateralBias>;
+const DefectMaker make_range_bias = put<RangeBias>;
+const DefectMaker make_blind_left = put<Unseeing<is_left>>;
+const DefectMaker make_blind_right = put<Unseeing<is_right>>;
+const DefectMaker make_fast_as_noise = put<Unseeing<is_fast>>;
 
 }  // namespace jaywalk

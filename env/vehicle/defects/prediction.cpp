@@ -11,15 +11,9 @@
 namespace jaywalk {
 namespace {
 
-using Inner = std::unique_ptr<VehicleController>;
-
 /// Notices turns and changes of speed later, by the severity in seconds. Places of actors that move
 /// steadily are right.
 class ConstantVelocity final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     past_.push_back({view.time_s, odometer_.driven_m(view), sensed.actors});
     const double known_s = view.time_s - severity_ + kTimeRoundingS;
@@ -41,7 +35,6 @@ class ConstantVelocity final : public Defective {
     }
   }
 
- private:
   struct Moment {
     double time_s = 0;
     double driven_m = 0;
@@ -52,10 +45,6 @@ class ConstantVelocity final : public Defective {
 };
 
 class KerbStanding final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     const double driven = odometer_.driven_m(view);
     for (SeenActor& actor : sensed.actors) {
@@ -77,7 +66,6 @@ class KerbStanding final : public Defective {
     }
   }
 
- private:
   struct Standing {
     double time_s = 0;
     double driven_m = 0;
@@ -88,10 +76,6 @@ class KerbStanding final : public Defective {
 };
 
 class StopsAtKerb final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     for (SeenActor& actor : sensed.actors) {
       const bool from_left = actor.speed_right_mps > 0;
@@ -110,10 +94,6 @@ class StopsAtKerb final : public Defective {
 
 /// An actor that stands in between has not turned back.
 class ForgetsTurners final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView& view, Sensed& sensed) override {
     std::erase_if(sensed.actors, [&](const SeenActor& actor) {
       Walk& walk = walks_[actor.id];
@@ -126,7 +106,6 @@ class ForgetsTurners final : public Defective {
     });
   }
 
- private:
   struct Walk {
     double speed_right_mps = 0;
     std::optional<double> forgotten_at_s;
@@ -136,10 +115,6 @@ class ForgetsTurners final : public Defective {
 
 /// Groups are formed once; members stay together for as long as both are seen.
 class GroupAsFirst final : public Defective {
- public:
-  using Defective::Defective;
-
- protected:
   void look(const VehicleView&, Sensed& sensed) override {
     const std::vector<SeenActor> actors = sensed.actors;
     std::map<std::uint32_t, Member> members;
@@ -157,7 +132,6 @@ class GroupAsFirst final : public Defective {
     members_ = std::move(members);
   }
 
- private:
   struct Member {
     std::uint32_t first = 0;
     double ahead_m = 0;
@@ -202,32 +176,12 @@ bool will_be_gone(const VehicleView& view, const SeenActor& actor, double) {
 
 }  // namespace
 
-std::unique_ptr<VehicleController> make_constant_velocity(Inner inner, double severity) {
-  return std::make_unique<ConstantVelocity>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_kerb_standing(Inner inner, double severity) {
-  return std::make_unique<KerbStanding>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_stops_at_kerb(Inner inner, double severity) {
-  return std::make_unique<StopsAtKerb>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_forgets_turners(Inner inner, double severity) {
-  return std::make_unique<ForgetsTurners>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_ignores_along(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity, walks_along);
-}
-
-std::unique_ptr<VehicleController> make_group_as_first(Inner inner, double severity) {
-  return std::make_unique<GroupAsFirst>(std::move(inner), severity);
-}
-
-std::unique_ptr<VehicleController> make_trusts_walkers(Inner inner, double severity) {
-  return unseeing(std::move(inner), severity, will_be_gone);
-}
+const DefectMaker make_constant_velocity = put<ConstantVelocity>;
+const DefectMaker make_kerb_standing = put<KerbStanding>;
+const DefectMaker make_stops_at_kerb = put<StopsAtKerb>;
+const DefectMaker make_forgets_turners = put<ForgetsTurners>;
+const DefectMaker make_ignores_along = put<Unseeing<walks_along>>;
+const DefectMaker make_group_as_first = put<GroupAsFirst>;
+const DefectMaker make_trusts_walkers = put<Unseeing<will_be_gone>>;
 
 }  // namespace jaywalk
