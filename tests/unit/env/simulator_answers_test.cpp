@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "env/process/message_reader.h"
 #include "env/simulator/process/simulator_messages.h"
 
 namespace jaywalk {
