@@ -109,6 +109,8 @@ std::string LineProcess::wait_for(short events, Deadline deadline) {
     if (std::string why = wait_for_child(waits, deadline); !why.empty()) return why;
     if (waits[1].revents != 0) read_errors();
     if (waits[0].revents != 0) return {};
+    // One that writes errors without end is always ready.
+    if (steady_clock::now() >= deadline) return std::string(kLate);
   }
 }
 
@@ -204,15 +206,18 @@ void LineProcess::tell(std::string_view line, std::chrono::milliseconds limit) {
 
 void LineProcess::read_errors() {
   std::array<char, 4096> chunk{};
-  while (true) {
+  // Twice what a pipe holds: a process that writes on and on must not keep us here.
+  for (int chunks = 0; chunks < 32; ++chunks) {
     const ssize_t count = read(error_pipe_, chunk.data(), chunk.size());
     if (count < 0 && errno == EAGAIN) return;
-    if (count <= 0) break;
+    if (count <= 0) {
+      // Closed at its other end: poll would return at once from now on.
+      close(std::exchange(error_pipe_, -1));
+      return;
+    }
     errors_.append(chunk.data(), static_cast<std::size_t>(count));
     if (errors_.size() > 2 * kMostErrorBytes) errors_.erase(0, errors_.size() - kMostErrorBytes);
   }
-  // Closed at its other end: poll would return at once from now on.
-  close(std::exchange(error_pipe_, -1));
 }
 
 std::string LineProcess::ended() {

@@ -55,6 +55,11 @@ TEST(LineProcess, ReadsMoreErrorsThanAPipeHolds) {
   EXPECT_EQ(process.ask("x", milliseconds(20000)).line, "done");
 }
 
+TEST(LineProcess, DoesNotWaitForOneThatWritesErrorsWithoutEnd) {
+  LineProcess process({"sh", "-c", "read line; exec yes >&2"});
+  EXPECT_EQ(process.ask("x", milliseconds(200)).error, "no answer within 0.2 s");
+}
+
 TEST(LineProcess, KeepsWhatItsProcessWroteToStandardError) {
   LineProcess process({"sh", "-c", "echo first >&2; read l; echo $l; read l; echo last >&2"});
   EXPECT_EQ(process.ask("x", milliseconds(5000)).line, "x");
