@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include "interpreter/agent/step_guard.h"
 #include "interpreter/compile/translator.h"
 #include "interpreter/logic/action_registry.h"
 #include "interpreter/logic/unifier/unifier.h"
@@ -9,6 +10,25 @@
 #include <jaywalk/environment.h>
 
 namespace jaywalk {
+
+namespace {
+
+/// The first variable or arithmetic expression in a literal; null if there is none.
+const ast::Node* open_part(const ast::Node& node) {
+  const bool is_number =
+      node.kind == ast::Kind::unary && node.args[0]->kind == ast::Kind::number;  // -1
+  if (node.kind == ast::Kind::variable || (ast::is_arithmetic(node) && !is_number)) return &node;
+  for (const ast::Node* const arg : node.args) {
+    if (const ast::Node* const open = open_part(*arg)) return open;
+  }
+  for (const ast::Node* const part : {node.tail, node.annots}) {
+    if (part == nullptr) continue;
+    if (const ast::Node* const open = open_part(*part)) return open;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 GroundLiteral::GroundLiteral(SymbolTable& symbols, const std::function<Value(Terms)>& make)
     : heap_(std::make_unique<Heap>()) {
@@ -32,12 +52,20 @@ Result<GroundLiteral> GroundLiteral::read(SymbolTable& symbols, const std::strin
   auto heap = std::make_unique<Heap>();
   const ActionRegistry no_actions;
   VariableScope scope(VariableScope::Kind::variables, *heap, symbols);
-  const Value read = Translator(*heap, symbols, no_actions).literal(*node, scope);
-  if (!is_literal(read) || !read.is_closed()) {
-    diagnostics.error({source, Span{0, static_cast<std::uint32_t>(text.size())}},
+  Value read;
+  ActionError limit;
+  const bool is_read = guarded(limit, [&] {
+    read = Translator(*heap, symbols, no_actions).literal(*node, scope);
+    return true;
+  });
+  if (!is_read) {
+    diagnostics.error({source, node->span}, limit.message);
+  } else if (!is_literal(read) || !read.is_closed() || ast::is_internal(*node)) {
+    const ast::Node* const open = open_part(*node);
+    diagnostics.error({source, (open != nullptr ? open : node)->span},
                       "expected a literal without variables and sums, as in at(robot,2)");
-    return diagnostics;
   }
+  if (diagnostics.has_errors()) return diagnostics;
   GroundLiteral literal(symbols, [&](Terms) { return read; });
   literal.heap_ = std::move(heap);
   return literal;

@@ -36,6 +36,9 @@ constexpr std::array<std::string_view, 13> kOwnClasses = {"Agent",
                                                           "Local",
                                                           "Centralised"};
 
+/// Not a class of Java: an environment that is a program.
+constexpr std::string_view kProcess = "process";
+
 bool needs_java(const ProjectClass& java_class) {
   return std::ranges::find(kOwnClasses, java_class.name) == kOwnClasses.end();
 }
@@ -66,7 +69,9 @@ class JavaReport {
 void look_for_java(const Project& project, JavaParts parts, Diagnostics& diagnostics) {
   JavaReport report(parts, diagnostics);
   report.look_at("the infrastructure", project.infrastructure);
-  report.look_at("the environment", project.environment);
+  if (!project.environment || project.environment->name != kProcess) {
+    report.look_at("the environment", project.environment);
+  }
   report.look_at("the execution control", project.execution_control);
   for (const ProjectAgent& agent : project.agents) {
     report.look_at("the agent architecture", agent.arch_class);
@@ -76,6 +81,19 @@ void look_for_java(const Project& project, JavaParts parts, Diagnostics& diagnos
   for (const auto& [name, java_class] : project.directives) {
     report.look_at(fmt::format("the directive {}", name), java_class);
   }
+}
+
+std::optional<ProjectEnvironment> environment_of(const Project& project, Diagnostics& diagnostics) {
+  if (!project.environment || project.environment->name != kProcess) return std::nullopt;
+  const std::vector<std::string>& parameters = project.environment->parameters;
+  if (parameters.empty() || !parameters.front().starts_with('"')) {
+    diagnostics.error(project.environment->where, "expected the command of the process, in quotes",
+                      "for example process(\"python3 world.py\")");
+    return std::nullopt;
+  }
+  return ProjectEnvironment{.command = string_content(parameters.front()),
+                            .arguments = {parameters.begin() + 1, parameters.end()},
+                            .where = project.environment->where};
 }
 
 /// The program's file: beside the project, or in a folder of its source path.
@@ -175,10 +193,9 @@ SourcePtr extended_program(const std::string& path, const std::string& project_p
 
 }  // namespace
 
-std::optional<std::vector<ProgramSource>> read_project_agents(const std::string& path,
-                                                              const IncludePath& include_path,
-                                                              JavaParts java,
-                                                              Diagnostics& diagnostics) {
+std::optional<ProjectParts> read_project_agents(const std::string& path,
+                                                const IncludePath& include_path, JavaParts java,
+                                                Diagnostics& diagnostics) {
   auto source = read_any_encoding(path, diagnostics);
   if (!source) {
     diagnostics.append(std::move(source.diagnostics()));
@@ -187,6 +204,8 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
   const auto project = parse_project(source.value(), diagnostics);
   if (!project) return std::nullopt;
   look_for_java(*project, java, diagnostics);
+  ProjectParts parts;
+  parts.environment = environment_of(*project, diagnostics);
 
   const fs::path folder = fs::path(path).parent_path();
   IncludePath folders = include_path;
@@ -207,7 +226,6 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
   folders.files.allow_reading(own_folder);
   const AllowedFolders readable = folders.readable_from(own_folder);
 
-  std::vector<ProgramSource> sources;
   for (const ProjectAgent& agent : project->agents) {
     ProgramSource program{.path = find_program(agent, folder, source_path),
                           .include_path = folders,
@@ -226,10 +244,10 @@ std::optional<std::vector<ProgramSource>> read_project_agents(const std::string&
           folder.empty() ? program.path : fs::path(program.path).lexically_normal().string();
       program.text = extended_program(program.path, path, std::move(beliefs), goals);
     }
-    sources.push_back(std::move(program));
+    parts.programs.push_back(std::move(program));
   }
   if (diagnostics.has_errors()) return std::nullopt;
-  return sources;
+  return parts;
 }
 
 }  // namespace jaywalk

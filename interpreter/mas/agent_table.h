@@ -32,7 +32,7 @@ struct AgentRecord {
   std::uint32_t number = 0;
   /// Its percepts of the environment; null: it has no body there.
   std::unique_ptr<Percepts> percepts;
-  bool looks = false;  // in this tick; its percepts may be unchanged
+  bool looks = false;      // in this tick; its percepts may be unchanged
   bool is_listed = false;  // as awake, or to be from the next round on
   bool is_asleep = false;  // it was informed (jag_sleeping)
   bool has_mail = false;

@@ -41,6 +41,8 @@ void Mas::restart(MasOptions options, Environment* environment) {
 
 AgentId Mas::add_agent(const AgentSpec& spec) { return implementation_->add_agent(spec); }
 
+void Mas::embody_newcomers() { implementation_->embody_newcomers(); }
+
 RunOutcome Mas::run() {
   while (stride()) {
   }
@@ -112,6 +114,7 @@ bool Mas::intervene(AgentId id, const std::function<void(Agent& agent)>& work,
 
 SymbolTable& Mas::symbols() { return implementation_->symbols(); }
 double Mas::now_ms() const { return implementation_->now_ms(); }
+std::optional<double> Mas::next_timer_ms() { return implementation_->next_timer_ms(); }
 double Mas::reasoning_cpu_s() const { return implementation_->reasoning_cpu_s(); }
 
 }  // namespace jaywalk

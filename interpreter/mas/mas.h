@@ -56,6 +56,9 @@ class Mas {
   /// Names that are taken get a suffix, as in Jason (`ann_1`).
   AgentId add_agent(const AgentSpec& spec);
 
+  /// Agents that others create have a body in the environment, too, which has to expect that.
+  void embody_newcomers();
+
   /// Runs to the end.
   RunOutcome run();
   /// Runs one tick (without an environment: one cycle of every active agent); false: it has ended.
@@ -87,6 +90,8 @@ class Mas {
   /// The run's own names, above those of the programs.
   [[nodiscard]] SymbolTable& symbols();
   [[nodiscard]] double now_ms() const;
+  /// When the next timer is due that an agent waits for; nothing if none is.
+  [[nodiscard]] std::optional<double> next_timer_ms();
   /// Seconds of CPU spent in reasoning so far (0 unless measured).
   [[nodiscard]] double reasoning_cpu_s() const;
 

@@ -397,6 +397,11 @@ void Mas::Implementation::drop_stale_timers() {
   }
 }
 
+std::optional<double> Mas::Implementation::next_timer_ms() {
+  drop_stale_timers();
+  return timers_.empty() ? std::nullopt : std::optional(timers_.next_ms());
+}
+
 void Mas::Implementation::pass_idle_time() {
   drop_stale_timers();
   if (timers_.empty()) {

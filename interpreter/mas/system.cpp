@@ -163,14 +163,18 @@ Society::Creation Mas::Implementation::create(const std::string& name, const std
   LoadProblem trouble;
   spec.program = load({.file = file, .included = false, .ns = {}}, trouble);
   if (spec.program == nullptr) return {{}, trouble.text};
-  Agent& agent = *settle(name, spec.program).agent;
+  AgentRecord& record = settle(name, spec.program);
+  if (newcomers_have_bodies_) record.percepts = percepts_for_body();
+  Agent& agent = *record.agent;
   start(agent, spec);
   return {agent.name(), {}};
 }
 
 Society::Creation Mas::Implementation::clone(Agent& original, const std::string& name) {
   if (std::string problem = problem_with_more_agents(); !problem.empty()) return {{}, problem};
-  Agent& agent = *settle(name, table_.of(original).program).agent;
+  AgentRecord& record = settle(name, table_.of(original).program);
+  if (newcomers_have_bodies_) record.percepts = percepts_for_body();
+  Agent& agent = *record.agent;
   agent.copy_from(original);
   agent.rest();
   return {agent.name(), {}};

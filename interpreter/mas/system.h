@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "interpreter/agent/surroundings/host.h"
@@ -55,6 +55,8 @@ class Mas::Implementation : public AgentHost, public Society {
   [[nodiscard]] const RunOutcome& outcome();
   [[nodiscard]] const AgentTable& records() const { return table_; }
   [[nodiscard]] double reasoning_cpu_s() const { return cpu_s_; }
+  [[nodiscard]] std::optional<double> next_timer_ms();
+  void embody_newcomers() { newcomers_have_bodies_ = environment_ != nullptr; }
 
   // AgentHost
   [[nodiscard]] double now_ms() const override { return now_ms_; }
@@ -238,6 +240,7 @@ class Mas::Implementation : public AgentHost, public Society {
   std::vector<Content> contents_;
   std::optional<Heap> mail_;
   std::unique_ptr<Workers> workers_;  // null: one thread
+  bool newcomers_have_bodies_ = false;
   bool ended_ = false;
   RunOutcome outcome_;
   std::uint64_t inferences_before_ = 0;  // of the kept parts, before this run

@@ -39,16 +39,6 @@ bool contains(const Range& range, std::string_view name) {
   return std::find(range.begin(), range.end(), name) != range.end();
 }
 
-// A string's content, `\"` converted.
-std::string content_of(std::string_view quoted) {
-  std::string value;
-  for (std::size_t i = 1; i + 1 < quoted.size(); ++i) {
-    if (quoted[i] == '\\' && quoted[i + 1] == '"') continue;
-    value += quoted[i];
-  }
-  return value;
-}
-
 class ProjectParser {
  public:
   ProjectParser(const SourcePtr& source, Diagnostics& diagnostics)
@@ -186,7 +176,7 @@ class ProjectParser {
 
   bool path_entry(std::vector<std::string>& paths) {
     const ProjectToken* const path = expect_kind(ProjectTokenKind::string, "a folder in quotes");
-    if (path != nullptr) paths.push_back(content_of(path->text));
+    if (path != nullptr) paths.push_back(string_content(path->text));
     return path != nullptr;
   }
 
@@ -324,7 +314,7 @@ class ProjectParser {
                          .value = std::string(value.text),
                          .where = where(value.span)};
     if (value.kind == ProjectTokenKind::string) {
-      option.value = content_of(value.text);
+      option.value = string_content(value.text);
       option.where = where({value.span.begin + 1, value.span.end - 1});
     }
     check_option(option);
@@ -355,7 +345,7 @@ class ProjectParser {
     if (take_if("#")) return agent_count(agent);
     if (take_if("at")) {
       const ProjectToken* const host = expect_kind(ProjectTokenKind::string, "a host in quotes");
-      if (host != nullptr) agent.at = content_of(host->text);
+      if (host != nullptr) agent.at = string_content(host->text);
       return host != nullptr;
     }
     // A misspelt attribute looks like the name of a file.
@@ -393,6 +383,15 @@ class ProjectParser {
 };
 
 }  // namespace
+
+std::string string_content(std::string_view quoted) {
+  std::string value;
+  for (std::size_t i = 1; i + 1 < quoted.size(); ++i) {
+    if (quoted[i] == '\\' && quoted[i + 1] == '"') continue;
+    value += quoted[i];
+  }
+  return value;
+}
 
 std::optional<Project> parse_project(SourcePtr source, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();

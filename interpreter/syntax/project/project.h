@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "interpreter/support/diagnostics.h"
@@ -46,6 +47,9 @@ struct Project {
   std::vector<std::pair<std::string, ProjectClass>> directives;
   std::vector<std::string> class_path, asl_source_path;
 };
+
+/// The content of a string as it is written, `\"` converted.
+[[nodiscard]] std::string string_content(std::string_view quoted);
 
 /// Parses a project; diagnostics as for programs. A result is returned only if there are no errors.
 [[nodiscard]] std::optional<Project> parse_project(SourcePtr source, Diagnostics& diagnostics);

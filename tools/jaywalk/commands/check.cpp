@@ -98,21 +98,23 @@ class Checker {
 
   void check_project(const std::string& path) {
     const std::size_t known_warnings = diagnostics_.warning_count();
-    const auto programs =
-        read_project_agents(path, include_path_, JavaParts::ignored, diagnostics_);
-    if (!programs) return;
-    const bool has_java = diagnostics_.warning_count() > known_warnings;
+    const auto project = read_project_agents(path, include_path_, JavaParts::ignored, diagnostics_);
+    if (!project) return;
+    const std::vector<ProgramSource>& programs = project->programs;
+    // Code in Java, or a program that is the world, may post and ask for anything.
+    const bool has_others = project->environment || diagnostics_.warning_count() > known_warnings;
     std::vector<LoadedProgram> loaded;
     std::set<std::string, std::less<>> named;
-    bool all_known = !has_java;
-    for (const ProgramSource& program : *programs) {
+    bool all_known = !has_others;
+    for (const ProgramSource& program : programs) {
       loaded.push_back(load(program));
       all_known &= loaded.back().found.empty();
       named.merge(names_in(loaded.back().tree));
     }
     for (std::size_t i = 0; i < loaded.size(); ++i) {
-      if (!(*programs)[i].text && !is_new((*programs)[i].path)) continue;
-      const EnvironmentKind* const environment = environment_of(loaded[i].tree);
+      if (!programs[i].text && !is_new(programs[i].path)) continue;
+      const EnvironmentKind* const environment =
+          project->environment ? nullptr : environment_of(loaded[i].tree);
       check_program(std::move(loaded[i]), environment, [&](Vocabulary& vocabulary) {
         vocabulary.others_known = all_known;
         vocabulary.may_be_alone = false;

@@ -14,6 +14,7 @@
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
+#include "tools/jaywalk/run/own_world.h"
 #include "tools/jaywalk/run/run_files.h"
 
 namespace jaywalk::command::run {
@@ -24,8 +25,9 @@ constexpr std::array kForScenarios = {
     option::kSet,   option::kPreset, option::kBehaviour, option::kAgents,     option::kTest,
     option::kWatch, option::kSpeed,  option::kStore,     option::kAssertions, option::kMetrics,
     option::kJunit, option::kFailOn, option::kStrict,    option::kPolicy};
-constexpr std::array kForPrograms = {option::kRealtime, option::kThreads, option::kIgnoreJava,
-                                     option::kAllowWrite};
+constexpr std::array kForPrograms = {option::kRealtime,    option::kThreads,
+                                     option::kIgnoreJava,  option::kAllowWrite,
+                                     option::kEnvironment, option::kEnvironmentTimeout};
 
 bool refuse(std::span<const OptionName> options, std::string_view kind, const Arguments& arguments,
             Console& console) {
@@ -94,8 +96,11 @@ CommandHelp help() {
           "  jaywalk run hello.asl\n"
           "  jaywalk run project.mas2j --timeout 10\n"
           "  jaywalk run project.mas2j --threads 8\n"
+          "  jaywalk run robot.asl --environment \"python3 world.py\"\n"
           "  jaywalk run scenarios/paper.yaml --behaviour election --agents 3 --watch\n"
           "  jaywalk run scenarios/paper.yaml --behaviour mine.asl --test 7 --seed 42\n"};
+  help.options.insert(std::ranges::find(help.options, option::kIgnoreJava, &OptionSpec::name),
+                      std::begin(kWorldOptions), std::end(kWorldOptions));
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   help.options.insert(help.options.end(), kJudgingOptions.begin(), kJudgingOptions.end());
   help.options.insert(help.options.end(), kScenarioOptions.begin(), kScenarioOptions.end());

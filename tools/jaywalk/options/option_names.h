@@ -27,6 +27,8 @@ inline constexpr OptionName kDefect{"defect"};
 inline constexpr OptionName kDefects{"defects"};
 inline constexpr OptionName kDialect{"dialect"};
 inline constexpr OptionName kDumpCode{"dump-code"};
+inline constexpr OptionName kEnvironment{"environment"};
+inline constexpr OptionName kEnvironmentTimeout{"environment-timeout"};
 inline constexpr OptionName kExport{"export"};
 inline constexpr OptionName kFailOn{"fail-on"};
 inline constexpr OptionName kFilter{"filter"};

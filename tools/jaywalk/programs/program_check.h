@@ -4,6 +4,7 @@
 // Checks one program that is loaded already, for `jaywalk check` and the language server.
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -39,10 +40,13 @@ void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& fou
 /// Whether a program was started by itself or as one of a project.
 enum class StartedAs { alone, part };
 
-/// Runs the checker alone on a program that compiles, for the environment that it seems to be
-/// written for.
+/// The words of the agents' world: null if they are not known. Nothing: those of the environment
+/// that the program seems to be written for.
+using KnownWorld = std::optional<const EnvironmentKind*>;
+
+/// Runs the checker alone on a program that compiles.
 void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
-                    Diagnostics& found);
+                    KnownWorld world, Diagnostics& found);
 
 /// Compiles and checks a program by itself, for the environment that it seems to be written for.
 void check_alone(const SourceTree& program, const std::string& path, Diagnostics& found);

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "env/environment_process/process_environment.h"
+#include "env/process/guarded_child.h"
 #include "experiment/scenario/files/write_file.h"
 #include "interpreter/agent/surroundings/observer.h"
 #include "interpreter/compile/compiler.h"
@@ -23,6 +25,7 @@
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/programs/program_check.h"
 #include "tools/jaywalk/run/agent_trace.h"
+#include "tools/jaywalk/run/own_world.h"
 #include "tools/jaywalk/run/run_files.h"
 
 namespace jaywalk {
@@ -111,6 +114,45 @@ struct End {
   std::string_view how;
 };
 
+/// The agents' world, if it is a program.
+struct RunWorld {
+  OwnWorld named;
+  std::unique_ptr<ProcessEnvironment> environment;
+  DeclaredWords words;
+};
+
+/// Starts the world that the user names; none if no one does, after adding errors, and if the user
+/// interrupts it.
+std::optional<RunWorld> start_world(const Arguments& arguments,
+                                    const std::optional<ProjectEnvironment>& project,
+                                    const std::string& folder, Console& console,
+                                    Diagnostics& diagnostics) {
+  auto named = own_world(arguments, project, folder, diagnostics);
+  if (!named) return std::nullopt;
+  auto environment = make_world(*named, console);
+  const InterruptGuard interrupt;
+  if (!environment->start()) {
+    if (!interrupt.interrupted()) named->report_failure(*environment, diagnostics);
+    return std::nullopt;
+  }
+  DeclaredWords words(environment->identity());
+  return RunWorld{std::move(*named), std::move(environment), std::move(words)};
+}
+
+/// Ends the world's program. How the run ended, if the world failed.
+std::optional<End> end_world(RunWorld& world, const InterruptGuard& interrupt, Console& console) {
+  world.environment->end();
+  if (world.environment->failure().empty()) return std::nullopt;
+  if (interrupt.interrupted()) {
+    console.note("interrupted");
+    return End{ExitCode::interrupted, "interrupted"};
+  }
+  Diagnostics diagnostics;
+  world.named.report_failure(*world.environment, diagnostics);
+  console.report(diagnostics);
+  return End{ExitCode::failed, "errored"};
+}
+
 End run_to_end(Mas& mas, const Limits& limits, const InterruptGuard& interrupt, Console& console) {
   const Deadline deadline(limits.timeout_s);
   for (std::uint64_t steps = 1; mas.stride(); ++steps) {
@@ -133,7 +175,7 @@ enum class ProgramCheck { off, alone, in_project };
 /// Loads and compiles each agent's program, once for all agents that share it. Those whose program
 /// is missing or wrong are left out and diagnosed.
 std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, ProgramCheck check,
-                                   SymbolTable& symbols, Diagnostics& all) {
+                                   KnownWorld world, SymbolTable& symbols, Diagnostics& all) {
   std::vector<AgentSpec> agents;
   for (const ProgramSource& source : sources) {
     Diagnostics diagnostics;
@@ -144,7 +186,7 @@ std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, Pr
     diagnostics = with_errors(diagnostics, kMissingInclude, kMissingIncludeHint);
     if (program && check != ProgramCheck::off) {
       check_compiled(tree, source.path,
-                     check == ProgramCheck::alone ? StartedAs::alone : StartedAs::part,
+                     check == ProgramCheck::alone ? StartedAs::alone : StartedAs::part, world,
                      diagnostics);
     }
     all.append(std::move(diagnostics));
@@ -171,20 +213,34 @@ std::optional<AllowedFolders> writable_folders(const Arguments& arguments, Conso
 }
 
 /// `folder` is the one of the program or project.
-ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& folder,
-                     ProgramCheck check, const Limits& limits, const Arguments& arguments,
-                     Console& console) {
+ExitCode run_parts(ProjectParts parts, const std::string& folder, ProgramCheck check,
+                   const Limits& limits, const Arguments& arguments, Console& console) {
   const std::optional<AllowedFolders> writable = writable_folders(arguments, console);
   if (!writable) return ExitCode::usage;
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
-  std::vector<AgentSpec> agents = compile_all(
-      sources, arguments.has(option::kNoCheck) ? ProgramCheck::off : check, *symbols, diagnostics);
+  auto world = start_world(arguments, parts.environment, folder, console, diagnostics);
+  if (end_requested) {
+    console.note("interrupted");
+    return ExitCode::interrupted;
+  }
+  const bool lacks_world = diagnostics.has_errors();
+  std::vector<AgentSpec> agents =
+      compile_all(parts.programs, arguments.has(option::kNoCheck) ? ProgramCheck::off : check,
+                  world ? KnownWorld(world->words.kind()) : KnownWorld(), *symbols, diagnostics);
   console.report(diagnostics);
-  if (agents.empty() && diagnostics.has_errors()) return ExitCode::usage;
+  if (lacks_world || (agents.empty() && diagnostics.has_errors())) return ExitCode::usage;
   MasOptions options = limits.mas;
-  const IncludePath include_path = sources.empty() ? IncludePath{} : sources.front().include_path;
-  sources = {};  // which has a name for each of perhaps very many agents, as the agents have
+  if (world && world->environment->identity().free_running && !options.realtime) {
+    options.realtime = true;
+    options.print = [&console, print = options.print](std::string_view line) {
+      print(line);
+      console.flush();
+    };
+  }
+  const IncludePath include_path =
+      parts.programs.empty() ? IncludePath{} : parts.programs.front().include_path;
+  parts.programs = {};  // which has a name for each of perhaps very many agents, as the agents have
   options.load_program = [loader = std::make_shared<ProgramLoader>(folder, include_path)](
                              const ProgramRequest& request, SymbolTable& run_symbols,
                              LoadProblem& problem) {
@@ -222,13 +278,27 @@ ExitCode run_sources(std::vector<ProgramSource> sources, const std::string& fold
   options.observer = observers.get();
   const InterruptGuard interrupt;
   options.interrupted = [&interrupt] { return interrupt.interrupted(); };
-  Mas mas(symbols, std::move(options), nullptr);
+  const std::uint64_t seed = options.seed;
+  Mas mas(symbols, std::move(options), world ? world->environment.get() : nullptr);
   for (const AgentSpec& agent : agents) mas.add_agent(agent);
+  if (world) {
+    mas.embody_newcomers();
+    // A world that cannot begin is finished.
+    (void)world->environment->begin_run(seed,
+                                        {.count = agents.size(),
+                                         .name = [&mas](AgentId id) { return mas.agent_name(id); },
+                                         .next_timer_ms = [&mas] { return mas.next_timer_ms(); }});
+  }
   agents = {};
-  const End end = run_to_end(mas, limits, interrupt, console);
+  End end = run_to_end(mas, limits, interrupt, console);
+  std::string why = mas.outcome().message;
+  if (const auto failed = world ? end_world(*world, interrupt, console) : std::nullopt) {
+    end = *failed;
+    why = world->environment->failure();
+  }
   console.tell_counted();
   if (trace) {
-    trace->end(end.how, mas.outcome().message, mas.now_ms() / 1000, static_cast<int>(end.code));
+    trace->end(end.how, why, mas.now_ms() / 1000, static_cast<int>(end.code));
   }
   if (!finish_trace(arguments, trace_file, console)) return ExitCode::failed;
   if (coverage &&
@@ -254,7 +324,8 @@ ExitCode run_agent_file(const std::string& path, const Arguments& arguments, Con
   const ProgramSource source{.path = path,
                              .include_path = *include_path,
                              .agents = {std::filesystem::path(path).stem().string()}};
-  return run_sources({source}, folder_of(path), ProgramCheck::alone, *limits, arguments, console);
+  return run_parts({.programs = {source}, .environment = {}}, folder_of(path), ProgramCheck::alone,
+                   *limits, arguments, console);
 }
 
 ExitCode run_project_file(const std::string& path, const Arguments& arguments, Console& console) {
@@ -264,11 +335,11 @@ ExitCode run_project_file(const std::string& path, const Arguments& arguments, C
   Diagnostics diagnostics;
   const JavaParts java =
       arguments.has(option::kIgnoreJava) ? JavaParts::ignored : JavaParts::refused;
-  auto sources = read_project_agents(path, *include_path, java, diagnostics);
+  auto parts = read_project_agents(path, *include_path, java, diagnostics);
   console.report(diagnostics);
-  if (!sources) return ExitCode::usage;
-  return run_sources(std::move(*sources), folder_of(path), ProgramCheck::in_project, *limits,
-                     arguments, console);
+  if (!parts) return ExitCode::usage;
+  return run_parts(std::move(*parts), folder_of(path), ProgramCheck::in_project, *limits, arguments,
+                   console);
 }
 
 }  // namespace jaywalk
