@@ -115,6 +115,8 @@ class SutModel {
   [[nodiscard]] virtual std::shared_ptr<const SutModel> with_defect(std::size_t /*index*/) const {
     return nullptr;
   }
+  /// The words of the program that executes its tests; none if it is no program of the user's.
+  [[nodiscard]] virtual std::vector<std::string> command() const { return {}; }
   /// How many pedestrians take part; 0 if none do.
   [[nodiscard]] virtual std::uint32_t agents() const { return 0; }
   /// How the car drives if this program simulates it; else null.

@@ -115,6 +115,7 @@ class External : public SutModel {
             road_setting(space_.settings())};
   }
   [[nodiscard]] const RoadSpace* road_space() const override { return &space_; }
+  [[nodiscard]] std::vector<std::string> command() const override { return settings_.command; }
 
  private:
   RoadSpace space_;

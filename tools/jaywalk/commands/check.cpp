@@ -7,6 +7,8 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -25,12 +27,15 @@
 #include "interpreter/syntax/load.h"
 #include "search/search_experiment.h"
 #include "tools/jaywalk/commands/command.h"
+#include "tools/jaywalk/console/interrupt.h"
 #include "tools/jaywalk/options/include_path.h"
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
 #include "tools/jaywalk/programs/program_check.h"
 #include "tools/jaywalk/programs/vocabulary.h"
+#include "tools/jaywalk/run/own_world.h"
+#include "tools/jaywalk/run/trials.h"
 
 namespace jaywalk::command::check {
 namespace {
@@ -42,7 +47,9 @@ constexpr std::array<std::string_view, 2> kEndings{".asl", ".mas2j"};
 /// Checks files, each program once however many scenarios and projects name it.
 class Checker {
  public:
-  explicit Checker(IncludePath include_path) : include_path_(std::move(include_path)) {}
+  /// `trials`: starts the commands that files name; null: they are not started.
+  Checker(IncludePath include_path, Trials* trials)
+      : include_path_(std::move(include_path)), trials_(trials) {}
 
   /// False: files of that kind cannot be checked.
   bool check_file(const std::string& path) {
@@ -103,6 +110,7 @@ class Checker {
     const std::vector<ProgramSource>& programs = project->programs;
     // Code in Java, or a program that is the world, may post and ask for anything.
     const bool has_others = project->environment || diagnostics_.warning_count() > known_warnings;
+    const auto world = try_world(*project, path);
     std::vector<LoadedProgram> loaded;
     std::set<std::string, std::less<>> named;
     bool all_known = !has_others;
@@ -113,8 +121,9 @@ class Checker {
     }
     for (std::size_t i = 0; i < loaded.size(); ++i) {
       if (!programs[i].text && !is_new(programs[i].path)) continue;
-      const EnvironmentKind* const environment =
-          project->environment ? nullptr : environment_of(loaded[i].tree);
+      const EnvironmentKind* const environment = project->environment
+                                                     ? (world ? world->words.kind() : nullptr)
+                                                     : environment_of(loaded[i].tree);
       check_program(std::move(loaded[i]), environment, [&](Vocabulary& vocabulary) {
         vocabulary.others_known = all_known;
         vocabulary.may_be_alone = false;
@@ -123,14 +132,43 @@ class Checker {
     }
   }
 
+  struct TriedWorld {
+    explicit TriedWorld(EnvironmentIdentity answered)
+        : identity(std::move(answered)), words(identity) {}
+
+    EnvironmentIdentity identity;
+    DeclaredWords words;
+  };
+  /// Null if the project has no world that is a program, or its program is not to be tried or
+  /// cannot be started.
+  std::unique_ptr<TriedWorld> try_world(const ProjectParts& project, const std::string& path) {
+    if (trials_ == nullptr || !project.environment) return nullptr;
+    const auto folder = std::filesystem::path(path).parent_path().string();
+    const auto world = own_world(Arguments(), project.environment, folder, diagnostics_);
+    if (!world) return nullptr;
+    std::vector<std::string> agents;
+    for (const ProgramSource& program : project.programs) {
+      agents.insert(agents.end(), program.agents.begin(), program.agents.end());
+    }
+    auto identity = trials_->try_world(*world, agents, diagnostics_);
+    if (!identity) return nullptr;
+    return std::make_unique<TriedWorld>(std::move(*identity));
+  }
+
   void check_search(const SourcePtr& source) {
     auto experiment = jaywalk::search::parse_search(
         source,
         {.files = include_path_.files, .include = {include_path_.folders, include_path_.mapped}});
     if (!experiment) {
       diagnostics_.append(std::move(experiment.diagnostics()));
-    } else if (const Scenario* const scenario = experiment.value().plan.model->scenario()) {
+      return;
+    }
+    const std::size_t errors = diagnostics_.error_count();
+    if (const Scenario* const scenario = experiment.value().plan.model->scenario()) {
       check_programs(*scenario, checked_, diagnostics_);
+    }
+    if (trials_ != nullptr && diagnostics_.error_count() == errors) {
+      trials_->try_search(experiment.value(), diagnostics_);
     }
   }
 
@@ -147,11 +185,16 @@ class Checker {
     if (diagnostics_.error_count() > errors) return;
     // Preparing finds parameters that do not fit the programs; its warnings are reported already.
     Diagnostics known_warnings;
-    auto prepared = PreparedScenario::prepare(std::move(scenario).value(), known_warnings);
-    if (!prepared) diagnostics_.append(std::move(prepared.diagnostics()));
+    auto prepared = PreparedScenario::prepare(scenario.value(), known_warnings);
+    if (!prepared) {
+      diagnostics_.append(std::move(prepared.diagnostics()));
+    } else if (trials_ != nullptr) {
+      trials_->try_scenario(scenario.value(), diagnostics_);
+    }
   }
 
   IncludePath include_path_;
+  Trials* trials_;
   Checked checked_;
   Diagnostics diagnostics_;
 };
@@ -201,9 +244,13 @@ CommandHelp help() {
           "errors.\n",
       .options = {{option::kWerror, "", "treat warnings as errors"},
                   {option::kList, "", "name the warnings that there are, and check nothing"},
+                  {option::kTry, "",
+                   "start each program that a file names (controllers, simulators, systems\n"
+                   "under test, worlds), ask its first questions and say what it answered"},
                   {option::kDumpCode, "", "print what the engine executes for each rule and plan"}},
       .examples =
           "  jaywalk check agents/crossing/proximity.asl\n"
+          "  jaywalk check scenarios/external.yaml --try\n"
           "  jaywalk check agents scenarios/*.yaml --werror\n"};
   help.options.insert(help.options.end(), kIncludeOptions.begin(), kIncludeOptions.end());
   return help;
@@ -233,14 +280,26 @@ ExitCode execute(const Arguments& arguments, Console& console) {
   // Projects first, since they say more about their agents than a program alone does.
   std::stable_partition(files.begin(), files.end(),
                         [](const std::string& path) { return path.ends_with(kEndings[1]); });
-  Checker checker(*include_path);
+  std::optional<InterruptGuard> interrupt;
+  std::optional<Trials> trials;
+  if (arguments.has(option::kTry)) {
+    interrupt.emplace();
+    trials.emplace(console);
+  }
+  const auto is_interrupted = [&] { return interrupt && interrupt->interrupted(); };
+  Checker checker(*include_path, trials ? &*trials : nullptr);
   std::size_t checked = 0;
   for (const std::string& path : files) {
+    if (is_interrupted()) break;
     if (checker.check_file(path)) {
       ++checked;
     } else {
       console.error(fmt::format("expected a file .asl, .mas2j or .yaml, found '{}'", path));
     }
+  }
+  if (is_interrupted()) {
+    console.note("interrupted");
+    return ExitCode::interrupted;
   }
   const bool all_checked = all_found && checked == files.size();
   const Diagnostics& found = checker.diagnostics();

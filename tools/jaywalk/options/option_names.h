@@ -84,6 +84,7 @@ inline constexpr OptionName kThreads{"threads"};
 inline constexpr OptionName kTick{"tick"};
 inline constexpr OptionName kTimeout{"timeout"};
 inline constexpr OptionName kTrace{"trace"};
+inline constexpr OptionName kTry{"try"};
 inline constexpr OptionName kWatch{"watch"};
 inline constexpr OptionName kWerror{"werror"};
 inline constexpr OptionName kWithKills{"with-kills"};
