@@ -12,6 +12,7 @@
 #include "env/config/reader.h"
 #include "experiment/judge/assertions/assertion.h"
 #include "experiment/judge/metrics/metrics.h"
+#include "experiment/scenario/expression_node.h"
 #include "experiment/scenario/scenario.h"
 #include "experiment/scenario/scenario_yaml.h"
 
@@ -53,8 +54,7 @@ std::vector<std::uint32_t> places_of(const ConfigNode& node) {
 
 class FileReader {
  public:
-  FileReader(SourcePtr source, Diagnostics& diagnostics)
-      : source_(std::move(source)), diagnostics_(diagnostics), reader_(diagnostics) {}
+  explicit FileReader(Diagnostics& diagnostics) : diagnostics_(diagnostics), reader_(diagnostics) {}
 
   std::vector<Assertion> read(const ConfigNode& root) {
     const std::array keys = {
@@ -180,16 +180,13 @@ class FileReader {
 
   std::optional<stl::Expression> expression(const ConfigNode* node, const Assertion& assertion) {
     if (node == nullptr) return std::nullopt;
-    const auto text = reader_.text(*node, "a condition, as eventually ttc <= 1");
-    if (!text) return std::nullopt;
-    stl::ExpressionText written{.text = *text, .source = source_, .offsets = places_of(*node)};
-    auto parsed = stl::parse(std::move(written), diagnostics_);
+    if (!reader_.text(*node, "a condition, as eventually ttc <= 1")) return std::nullopt;
+    auto parsed = stl::parse(expression_text(*node), diagnostics_);
     if (!parsed) return std::nullopt;
     return stl::resolve(std::move(*parsed), signal_vocabulary(), assertion.parameters,
                         diagnostics_);
   }
 
-  SourcePtr source_;
   Diagnostics& diagnostics_;
   ConfigReader reader_;
   std::vector<Assertion> assertions_;
@@ -197,6 +194,17 @@ class FileReader {
 };
 
 }  // namespace
+
+stl::ExpressionText expression_text(const ConfigNode& node) {
+  // An option has no lines and columns worth naming.
+  if (node.origin.where.source == nullptr) {
+    return {.text = node.text, .source = {}, .offsets = {}, .subject = node.origin.option};
+  }
+  return {.text = node.text,
+          .source = node.origin.where.source,
+          .offsets = places_of(node),
+          .subject = {}};
+}
 
 Result<std::vector<Assertion>> parse_assertions(const SourcePtr& source) {
   Diagnostics diagnostics;
@@ -206,7 +214,7 @@ Result<std::vector<Assertion>> parse_assertions(const SourcePtr& source) {
     diagnostics.error(source->name(), "the file is empty",
                       "docs/reference/assertions.md describes what to write");
   } else if (root) {
-    assertions = FileReader(source, diagnostics).read(*root);
+    assertions = FileReader(diagnostics).read(*root);
   }
   if (diagnostics.has_errors()) {
     diagnostics.sort_by_place();

@@ -6,11 +6,15 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "experiment/judge/assertions/expression.h"
 
 namespace jaywalk::stl {
 namespace {
+
+/// As many names as a hint lists.
+constexpr std::size_t kFew = 10;
 
 std::string_view described(SignalType type) {
   return type == SignalType::number ? "a number" : "a condition";
@@ -161,6 +165,9 @@ class Resolver {
           hint = fmt::format("did you mean 'av.{}'?", node.name);
         }
       }
+    }
+    if (hint.empty() && !known.empty() && known.size() <= kFew) {
+      hint = fmt::format("the signals here are {}", fmt::join(known, ", "));
     }
     if (hint.empty()) hint = "`jaywalk list signals` names them; 'parameters' adds numbers";
     error(node, fmt::format("unknown signal '{}'", node.name), std::move(hint));
