@@ -7,6 +7,8 @@
 #include <numeric>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "search/failing_stretch.h"
 #include "search/sut.h"
 
@@ -14,10 +16,14 @@ namespace jaywalk::search {
 namespace {
 
 double mean_fitness(const SearchRun& run, double from) {
-  const auto first = static_cast<std::size_t>(from * static_cast<double>(run.tests.size()));
+  std::vector<double> all;
+  for (const TestRow& row : run.tests) {
+    if (row.test.outcome.refused.empty()) all.push_back(row.test.fitness);
+  }
+  const auto first = static_cast<std::size_t>(from * static_cast<double>(all.size()));
   double sum = 0;
-  for (std::size_t i = first; i < run.tests.size(); ++i) sum += run.tests[i].test.fitness;
-  const std::size_t count = run.tests.size() - first;
+  for (std::size_t i = first; i < all.size(); ++i) sum += all[i];
+  const std::size_t count = all.size() - first;
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
@@ -119,23 +125,38 @@ void count_stretches(const SearchRun& run, const SutModel& model, RunSummary& su
   if (!stretches.empty()) summary.twins_pct = 100 * twin_share(stretches, 1);
 }
 
+/// Notes the requirements that the test counted last was the first to violate.
+void note_violations(const Outcome& outcome, std::span<const std::size_t> requirements,
+                     RunSummary& summary) {
+  for (std::size_t i = 0; i < requirements.size() && outcome.executed(); ++i) {
+    const bool is_first = std::isnan(summary.tests_to_violation[i]);
+    if (is_first && outcome.measures[requirements[i]] < 0) {
+      summary.tests_to_violation[i] = summary.tests;
+    }
+  }
+}
+
 }  // namespace
 
 RunSummary summarise(const SearchRun& run, const SutModel& model) {
   const SearchSpace& space = model.space();
   RunSummary summary{.naturalness = mean_naturalness(run, model)};
+  const std::vector<std::size_t> requirements = requirements_of(model.measures());
+  summary.tests_to_violation.assign(requirements.size(), kUnknown);
   std::vector<std::vector<double>> signatures;
   std::vector<std::vector<double>> unwrapped;
   double candidates = 0;
   double invalid = 0;
   for (const TestRow& row : run.tests) {
-    summary.tests += 1;
     candidates += static_cast<double>(row.candidates);
     invalid += static_cast<double>(row.invalid);
+    if (!row.test.outcome.refused.empty()) continue;
+    summary.tests += 1;
     summary.simulated_s += row.test.outcome.simulated_s;
     summary.generation_ms += 1000 * row.generation_s;
     summary.execution_ms += 1000 * row.execution_s;
     if (!row.test.outcome.executed()) summary.errors += 1;
+    note_violations(row.test.outcome, requirements, summary);
     if (!row.test.failed) continue;
     summary.failures += 1;
     if (std::isnan(summary.tests_to_failure)) summary.tests_to_failure = summary.tests;
@@ -158,6 +179,30 @@ RunSummary summarise(const SearchRun& run, const SutModel& model) {
     summary.execution_ms /= summary.tests;
   }
   return summary;
+}
+
+TestsTo tests_to(std::span<const double> needed, std::span<const double> executed) {
+  TestsTo result{.found = 0, .searches = needed.size(), .median = {}};
+  std::vector<double> found;
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (!std::isnan(needed[i])) {
+      found.push_back(needed[i]);
+    } else if (result.in_vain == 0 || executed[i] < result.in_vain) {
+      result.in_vain = executed[i];
+    }
+  }
+  result.found = found.size();
+  // Searches without a find are greater than all; of two in the middle both have to be known.
+  if (found.size() <= needed.size() / 2) return result;
+  found.resize(needed.size(), std::numeric_limits<double>::infinity());
+  result.median = median(std::move(found));
+  return result;
+}
+
+std::string text_of(const TestsTo& found) {
+  return fmt::format(
+      "{} of {}, {}", found.found, found.searches,
+      found.median ? fmt::format("{:.6g}", *found.median) : fmt::format("> {:.6g}", found.in_vain));
 }
 
 MeanAndDeviation mean_and_deviation(std::span<const double> all) {

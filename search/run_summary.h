@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ struct RunSummary {
   double sparseness = kUnknown;
   /// How many tests it took to find the first failing one; not a number if none failed.
   double tests_to_failure = kUnknown;
+  /// Tests to the first one that violated each requirement (requirements_of()), in their order.
+  std::vector<double> tests_to_violation = {};
   double failures_per_1000 = 0;
   /// Mean of the measure of that name; not a number if the SUT has none.
   double naturalness = kUnknown;
@@ -56,6 +59,21 @@ struct RunSummary {
 
 /// How a test differs from others: its own signature or its input's.
 [[nodiscard]] std::vector<double> signature(const ExecutedTest& test, const SearchSpace& space);
+
+/// How many tests searches needed to find something, those that did not find it counted as well.
+struct TestsTo {
+  std::size_t found = 0;
+  std::size_t searches = 0;
+  /// Over all searches, one that found nothing having needed more than any; none: so did the one in
+  /// the middle.
+  std::optional<double> median;
+  /// The fewest tests of a search that found nothing.
+  double in_vain = 0;
+};
+/// `needed`: of each search, not a number if it found nothing; `executed`: all its tests.
+[[nodiscard]] TestsTo tests_to(std::span<const double> needed, std::span<const double> executed);
+/// `12 of 20, 118`: how many found it, and the median; `3 of 20, > 300`.
+[[nodiscard]] std::string text_of(const TestsTo& found);
 
 struct MeanAndDeviation {
   double mean = 0;

@@ -42,7 +42,7 @@ class Shared {
     progress_.failures += row.test.failed ? 1 : 0;
     progress_.best_fitness = std::max(progress_.best_fitness, row.test.fitness);
     spent_[search] = spent;
-    if (row.test.outcome.executed()) return;
+    if (row.test.outcome.error.empty()) return;
     ++progress_.errors;
     if (!observer_.error) return;
     observer_.error(run.generator, run.repetition, run.tests.size() - 1, row.test.outcome.error);
@@ -131,11 +131,15 @@ class Search {
       row.test.input = std::move(input);
       if (!execute(row)) return;
       const Budget& budget = plan_.budget;
+      const bool refused = !row.test.outcome.refused.empty();
       const double cost =
-          row.test.outcome.simulated_s + budget.overhead_s + plan_.generation_s(spec_);
+          refused ? 0
+                  : row.test.outcome.simulated_s + budget.overhead_s + plan_.generation_s(spec_);
       // A test that would end after the budget does not count: it was still running then.
       if (budget.virtual_s > 0 && run_.spent_s + cost > budget.virtual_s) break;
-      if (!keep(std::move(row), cost) || takes_no_time(cost)) return;
+      if (!keep(std::move(row), cost)) return;
+      refused_in_a_row_ = refused ? refused_in_a_row_ + 1 : 0;
+      if (refused ? refuses_all() : takes_no_time(cost)) return;
     }
     run_.complete = true;
     shared_.finish(index_, run_);
@@ -144,6 +148,17 @@ class Search {
  private:
   [[nodiscard]] std::string subject() const {
     return fmt::format("{}, repetition {}", run_.generator, run_.repetition);
+  }
+
+  /// Whether the SUT has refused very many tests in a row.
+  bool refuses_all() {
+    const int most = refused_ == run_.tests.size() ? kFirstDraws : kMostDraws;
+    if (refused_in_a_row_ < most) return false;
+    shared_.trouble(subject(),
+                    fmt::format("{} tests in a row are invalid; the last one: {}", most,
+                                run_.tests.back().test.outcome.refused),
+                    "the program answers so; see whether its inputs can have other ranges");
+    return true;
   }
 
   /// Whether nothing but virtual time ends the search and very many tests in a row took none.
@@ -169,7 +184,7 @@ class Search {
     };
     // Whichever limit is nearest ends the search; one of 0 is none.
     used(run_.spent_s, budget.virtual_s);
-    used(static_cast<double>(run_.tests.size()), static_cast<double>(budget.tests));
+    used(static_cast<double>(run_.tests.size() - refused_), static_cast<double>(budget.tests));
     used(static_cast<double>(failures_), static_cast<double>(budget.failures));
     return std::min(share, 1.0);
   }
@@ -194,6 +209,10 @@ class Search {
     row.test.outcome = sut_->run(row.test.input, number);
     if (shared_.stopping()) return false;  // with --resume it is run again
     row.execution_s = seconds_since(start);
+    if (!row.test.outcome.refused.empty()) {
+      row.candidates = std::max<std::uint64_t>(row.candidates, 1);
+      ++row.invalid;
+    }
     row.test.fitness = plan_.fitness.of(row.test.outcome);
     row.test.failed = row.test.outcome.executed() && plan_.fitness.fails(row.test.fitness);
     return true;
@@ -210,6 +229,7 @@ class Search {
     }
     // First the store, then the generator: a test that could not be kept must not be learned from.
     run_.spent_s += cost;
+    refused_ += row.test.outcome.refused.empty() ? 0 : 1;
     failures_ += row.test.failed ? 1 : 0;
     run_.tests.push_back(std::move(row));
     shared_.note(index_, run_, run_.tests.back(), spent());
@@ -229,6 +249,8 @@ class Search {
   std::unique_ptr<Generator> generator_;
   std::uint64_t failures_ = 0;
   int timeless_ = 0;  // tests in a row that took no virtual time
+  std::size_t refused_ = 0;
+  int refused_in_a_row_ = 0;
   double telling_s_ = 0;
 };
 

@@ -19,7 +19,7 @@
 namespace jaywalk::search {
 
 /// A search ends when the first of them is used up. 0: not limited. Tests and virtual time cannot
-/// both be unlimited.
+/// both be unlimited. Tests that the SUT refuses cost nothing.
 struct Budget {
   std::uint64_t tests = 0;
   std::uint64_t failures = 0;

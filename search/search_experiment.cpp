@@ -160,7 +160,14 @@ class ExperimentReader {
     sut_ = node;
     experiment_.plan.model = make_sut(node, path);
     if (!experiment_.plan.model || experiment_.plan.model->measures().empty()) return;
-    experiment_.measure = experiment_.plan.model->measures().front().name;
+    choose_measure(0);
+  }
+
+  /// With the bounds that it has by itself.
+  void choose_measure(std::size_t index) {
+    const MeasureKind& kind = experiment_.plan.model->measures()[index];
+    experiment_.plan.fitness = {index, kind.harmless, kind.worst, kind.fails_at};
+    experiment_.measure = kind.name;
   }
 
   /// As comparisons do, reports a policy that no behaviour chooses by.
@@ -184,6 +191,7 @@ class ExperimentReader {
         {"fails_at", number_into(fitness.fails_at, reader_, {0, 1})},
     };
     reader_.read_map(node, path, keys);
+    if (experiment_.plan.model && !experiment_.plan.model->measures().empty()) check_bounds(node);
     if (fitness.harmless == fitness.worst) {
       reader_.error(node.origin, "'harmless' and 'worst' are the same value");
     }
@@ -196,8 +204,18 @@ class ExperimentReader {
     for (std::size_t i = 0; i < measures.size(); ++i) choices.push_back({measures[i].name, i});
     const auto chosen = reader_.choice<std::size_t>(value, choices);
     if (!chosen) return;
-    experiment_.plan.fitness.measure = *chosen;
-    experiment_.measure = measures[*chosen].name;
+    choose_measure(*chosen);
+  }
+
+  /// The unit of a requirement's robustness is the requirement's own: nothing can be assumed.
+  void check_bounds(const ConfigNode& node) {
+    const auto measures = experiment_.plan.model->measures();
+    const std::string_view requirement = measures[experiment_.plan.fitness.measure].requirement;
+    const bool is_given = node.find("harmless") != nullptr && node.find("worst") != nullptr;
+    if (requirement.empty() || is_given) return;
+    reader_.error(node.origin,
+                  fmt::format("'{}' needs 'harmless' and 'worst'", experiment_.measure),
+                  fmt::format("'{}_scaled' has none", requirement));
   }
 
   void read_budget(const ConfigNode& node, const std::string& path) {

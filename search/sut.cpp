@@ -34,6 +34,14 @@ std::optional<std::size_t> find_measure(std::span<const MeasureKind> measures,
   return static_cast<std::size_t>(found - measures.begin());
 }
 
+std::vector<std::size_t> requirements_of(std::span<const MeasureKind> measures) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (!measures[i].requirement.empty()) found.push_back(i);
+  }
+  return found;
+}
+
 double Fitness::of(const Outcome& outcome) const {
   if (!outcome.executed() || measure >= outcome.measures.size()) return 0;
   return std::clamp((outcome.measures[measure] - harmless) / (worst - harmless), 0.0, 1.0);

@@ -41,8 +41,12 @@ struct Outcome {
   /// Numbers whose Euclidean distance says how differently two tests went; empty: how different
   /// their inputs are says it (SearchSpace::signature).
   std::vector<double> signature;
+  /// Why the SUT refuses the input, which breaks a constraint that only the SUT knows. Such a test
+  /// has no result either, but counts as an invalid candidate instead of as a test. Empty: it does
+  /// not.
+  std::string refused;
 
-  [[nodiscard]] bool executed() const { return error.empty(); }
+  [[nodiscard]] bool executed() const { return error.empty() && refused.empty(); }
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
@@ -55,6 +59,12 @@ struct Outcome {
 struct MeasureKind {
   std::string_view name;
   std::string_view meaning;
+  /// The defaults of a fitness that is this measure (Fitness).
+  double harmless = 0;
+  double worst = 1;
+  double fails_at = 0.95;
+  /// The requirement whose robustness it is: the test violated it if that is below 0. Empty: none.
+  std::string_view requirement = {};
 };
 
 /// Something that a SUT is set to, in words for people.
@@ -122,6 +132,9 @@ class SutModel {
   /// How the car drives if this program simulates it; else null.
   [[nodiscard]] virtual const lane::DriveSettings* drive() const { return nullptr; }
 };
+
+/// The measures that are the robustness of a requirement, by their indices.
+[[nodiscard]] std::vector<std::size_t> requirements_of(std::span<const MeasureKind> measures);
 
 /// The index of a measure of that name, if there is one.
 [[nodiscard]] std::optional<std::size_t> find_measure(std::span<const MeasureKind> measures,

@@ -84,6 +84,7 @@ FoundTest found_test(const TestRow& row, const SearchSpace& space) {
           .fitness = test.fitness,
           .has_failed = test.failed,
           .error = test.outcome.error,
+          .refused = test.outcome.refused,
           .measures = test.outcome.measures,
           .simulated_s = test.outcome.simulated_s};
 }

@@ -37,6 +37,20 @@ std::string results(const Generators& generators) {
   std::string html =
       reporting::paragraph("Means and standard deviations; generation apart from execution.") +
       table.html();
+  reporting::Table first;
+  first.column("", reporting::Align::left);
+  for (const std::string& name : names_of(generators)) first.column(escaped(name));
+  for (const ResultRow& row : first_rows(generators)) {
+    std::vector<std::string> cells{escaped(row.title)};
+    cells.insert(cells.end(), row.cells.begin(), row.cells.end());
+    first.row(std::move(cells));
+  }
+  html +=
+      "<h3>Tests to the first failure</h3>\n" +
+      reporting::paragraph(
+          "How many searches found one, and the median number of tests to it over all searches: "
+          "one that found none counts as longer than any.") +
+      first.html();
   reporting::Table pairs;
   pairs.column("", reporting::Align::left);
   const std::vector<const SummaryColumn*> columns = tested_columns(generators);
@@ -168,6 +182,33 @@ std::string last_roads(const GeneratorResults& generator, RoadPictures roads) {
   return roads.html();
 }
 
+/// The first failing tests of each generator, in words; nothing for roads, which have pictures.
+std::string failing_inputs(const SearchExperiment& experiment, const Generators& generators) {
+  constexpr std::size_t kShown = 8;
+  const SearchPlan& plan = experiment.plan;
+  if (plan.model->road_space() != nullptr) return {};
+  std::string html = reporting::paragraph("The first ones of each generator.");
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    const SearchSpace& space = plan.model_of(plan.generators[i]).space();
+    reporting::Table table;
+    table.columns({"repetition", "test"});
+    table.column("input", reporting::Align::left);
+    std::size_t shown = 0;
+    for (const SearchRun* run : generators[i].runs) {
+      for (std::size_t number = 0; number < run->tests.size() && shown < kShown; ++number) {
+        const ExecutedTest& test = run->tests[number].test;
+        if (!test.failed) continue;
+        ++shown;
+        table.row({std::to_string(run->repetition), std::to_string(number),
+                   escaped(space.describe(test.input))});
+      }
+    }
+    html +=
+        of_generator(generators[i], i, shown == 0 ? reporting::paragraph("None.") : table.html());
+  }
+  return html;
+}
+
 /// `explanation`, then the roads of each generator.
 std::string roads_of_all(std::string_view explanation, const SearchExperiment& experiment,
                          const Generators& generators,
@@ -217,6 +258,7 @@ std::string to_html(const SearchExperiment& experiment, const Generators& genera
               "from 0, as in stores and exported files; a dot marks where the car was "
               "farthest out of its lane.",
               experiment, generators, failing_roads)},
+      reporting::PageSection{"inputs", "Failing inputs", failing_inputs(experiment, generators)},
       reporting::PageSection{
           "generated", "What the generators make",
           roads_of_all("The last tests of repetition 0 with their fitness; dots as above.",

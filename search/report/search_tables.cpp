@@ -50,11 +50,25 @@ std::vector<double> GeneratorResults::values(double RunSummary::*value) const {
   return all;
 }
 
+TestsTo GeneratorResults::tests_to_failure() const {
+  return tests_to(values(&RunSummary::tests_to_failure), values(&RunSummary::tests));
+}
+
+TestsTo GeneratorResults::tests_to_violation(std::size_t requirement) const {
+  std::vector<double> needed;
+  for (const RunSummary& each : summaries) needed.push_back(each.tests_to_violation[requirement]);
+  return tests_to(needed, values(&RunSummary::tests));
+}
+
 std::vector<GeneratorResults> group(const SearchExperiment& experiment,
                                     const SearchResults& results) {
   std::vector<GeneratorResults> generators;
   for (const GeneratorSpec& spec : experiment.plan.generators) {
-    GeneratorResults generator{spec.name, {}, {}};
+    GeneratorResults generator{spec.name, {}, {}, {}};
+    const std::span<const MeasureKind> measures = experiment.plan.model_of(spec).measures();
+    for (const std::size_t index : requirements_of(measures)) {
+      generator.requirements.emplace_back(measures[index].requirement);
+    }
     for (const SearchRun& run : results.runs) {
       if (run.generator != spec.name || !run.complete) continue;
       generator.runs.push_back(&run);
@@ -72,6 +86,24 @@ std::vector<ResultRow> result_rows(const std::vector<GeneratorResults>& generato
     rows.push_back({column.title, {}});
     for (const GeneratorResults& generator : generators) {
       rows.back().cells.push_back(generator.runs.empty() ? "-" : cell(generator, column));
+    }
+  }
+  return rows;
+}
+
+std::vector<ResultRow> first_rows(const std::vector<GeneratorResults>& generators) {
+  std::vector<ResultRow> rows{{"a failing test", {}}};
+  for (const GeneratorResults& generator : generators) {
+    const bool ran = !generator.runs.empty();
+    rows.front().cells.push_back(ran ? text_of(generator.tests_to_failure()) : "-");
+  }
+  if (generators.empty()) return rows;
+  const std::vector<std::string>& requirements = generators.front().requirements;
+  for (std::size_t i = 0; i < requirements.size(); ++i) {
+    rows.push_back({requirements[i], {}});
+    for (const GeneratorResults& generator : generators) {
+      const bool ran = !generator.runs.empty();
+      rows.back().cells.push_back(ran ? text_of(generator.tests_to_violation(i)) : "-");
     }
   }
   return rows;
@@ -96,18 +128,30 @@ std::vector<GeneratorPair> compared(const std::vector<GeneratorResults>& generat
   return all;
 }
 
-std::string render_table(const std::vector<GeneratorResults>& generators) {
+namespace {
+
+std::string rendered_rows(std::string_view head, const std::vector<GeneratorResults>& generators,
+                          const std::vector<ResultRow>& rows) {
   constexpr std::size_t kTitle = 28;
-  std::string text = fmt::format("{:<{}}", "mean (standard deviation)", kTitle);
+  std::string text = fmt::format("{:<{}}", head, kTitle);
   for (const GeneratorResults& generator : generators) {
     text += fmt::format("  {:>16}", generator.name);
   }
   text += '\n';
-  for (const ResultRow& row : result_rows(generators)) {
+  for (const ResultRow& row : rows) {
     text += fmt::format("{:<{}}", row.title, kTitle);
     for (const std::string& cell : row.cells) text += fmt::format("  {:>16}", cell);
     text += '\n';
   }
+  return text;
+}
+
+}  // namespace
+
+std::string render_table(const std::vector<GeneratorResults>& generators) {
+  std::string text =
+      rendered_rows("mean (standard deviation)", generators, result_rows(generators)) + '\n' +
+      rendered_rows("searches with, median tests", generators, first_rows(generators));
   const std::vector<GeneratorPair> tested = compared(generators);
   if (tested.empty()) return text;
   text += fmt::format("\n{:<32}", "Wilcoxon signed-rank, p");
@@ -127,13 +171,24 @@ std::string render_table(const std::vector<GeneratorResults>& generators) {
 std::string to_csv(const std::vector<GeneratorResults>& generators) {
   std::string text = "generator,repetition,seed";
   for (const SummaryColumn& column : summary_columns()) text += fmt::format(",{}", column.name);
+  if (!generators.empty()) {
+    for (const std::string& each : generators.front().requirements) {
+      text += fmt::format(",tests_to_violate_{}", each);
+    }
+  }
   text += '\n';
   for (const GeneratorResults& generator : generators) {
     for (std::size_t i = 0; i < generator.runs.size(); ++i) {
       const SearchRun& run = *generator.runs[i];
       text += fmt::format("{},{},{}", csv_quoted(generator.name), run.repetition, run.seed);
+      const RunSummary& summary = generator.summaries[i];
+      std::vector<double> values;
       for (const SummaryColumn& column : summary_columns()) {
-        const double value = generator.summaries[i].*column.value;
+        values.push_back(summary.*column.value);
+      }
+      values.insert(values.end(), summary.tests_to_violation.begin(),
+                    summary.tests_to_violation.end());
+      for (const double value : values) {
         text += std::isnan(value) ? "," : fmt::format(",{:.6g}", value);
       }
       text += '\n';
@@ -144,7 +199,7 @@ std::string to_csv(const std::vector<GeneratorResults>& generators) {
 
 namespace {
 
-OrderedJson test_json(const TestRow& row) {
+OrderedJson test_json(const TestRow& row, const SutModel& model) {
   OrderedJson json{{"form", std::string(name(row.test.input.form))},
                    {"input", row.test.input.values},
                    {"fitness", row.test.fitness},
@@ -153,21 +208,35 @@ OrderedJson test_json(const TestRow& row) {
                    {"measures", row.test.outcome.measures},
                    {"candidates", row.candidates},
                    {"invalid", row.invalid}};
-  if (!row.test.outcome.executed()) json["error"] = row.test.outcome.error;
+  if (model.road_space() == nullptr) json["described"] = model.space().describe(row.test.input);
+  if (!row.test.outcome.error.empty()) json["error"] = row.test.outcome.error;
+  if (!row.test.outcome.refused.empty()) json["refused"] = row.test.outcome.refused;
   return json;
 }
 
-OrderedJson generator_json(const GeneratorResults& generator) {
+OrderedJson tests_to_json(const TestsTo& found) {
+  return {{"found", found.found},
+          {"searches", found.searches},
+          {"median_tests", found.median ? OrderedJson(*found.median) : OrderedJson(nullptr)}};
+}
+
+OrderedJson generator_json(const GeneratorResults& generator, const SutModel& model) {
   OrderedJson json{{"name", generator.name},
                    {"summary", OrderedJson::object()},
+                   {"first_failure", tests_to_json(generator.tests_to_failure())},
+                   {"requirements", OrderedJson::object()},
                    {"searches", OrderedJson::array()}};
   for (const SummaryColumn& column : summary_columns()) {
     const MeanAndDeviation value = mean_and_deviation(generator.values(column.value));
     json["summary"][std::string(column.name)] = {{"mean", value.mean}, {"sd", value.deviation}};
   }
+  for (std::size_t i = 0; i < generator.requirements.size(); ++i) {
+    json["requirements"][generator.requirements[i]] =
+        tests_to_json(generator.tests_to_violation(i));
+  }
   for (const SearchRun* run : generator.runs) {
     OrderedJson tests = OrderedJson::array();
-    for (const TestRow& row : run->tests) tests.push_back(test_json(row));
+    for (const TestRow& row : run->tests) tests.push_back(test_json(row, model));
     json["searches"].push_back({{"repetition", run->repetition},
                                 {"seed", run->seed},
                                 {"virtual_s", run->spent_s},
@@ -197,8 +266,9 @@ std::string to_json(const SearchExperiment& experiment,
                    {"measures", std::move(measures)},
                    {"generators", OrderedJson::array()},
                    {"comparisons", OrderedJson::array()}};
-  for (const GeneratorResults& generator : generators) {
-    json["generators"].push_back(generator_json(generator));
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    const SutModel& model = experiment.plan.model_of(experiment.plan.generators[i]);
+    json["generators"].push_back(generator_json(generators[i], model));
   }
   for (const GeneratorPair& pair : pairs(generators)) {
     OrderedJson comparison{{"first", pair.first->name}, {"second", pair.second->name}};

@@ -17,15 +17,19 @@ struct GeneratorResults {
   std::string name;
   std::vector<const SearchRun*> runs;
   std::vector<RunSummary> summaries;
+  /// The requirements that their tests are judged by.
+  std::vector<std::string> requirements;
 
   [[nodiscard]] std::vector<double> values(double RunSummary::*value) const;
+  [[nodiscard]] TestsTo tests_to_failure() const;
+  [[nodiscard]] TestsTo tests_to_violation(std::size_t requirement) const;
 };
 
 /// Complete searches alone, in the order of the plan.
 [[nodiscard]] std::vector<GeneratorResults> group(const SearchExperiment& experiment,
                                                   const SearchResults& results);
 
-/// A row of a table of generators; its cells are mean and standard deviation.
+/// A row of a table of generators; its cells are mean and standard deviation, or as text_of().
 struct ResultRow {
   std::string_view title;
   /// In the order of the generators; `-` for one without a complete search.
@@ -33,6 +37,10 @@ struct ResultRow {
 };
 /// The columns of summaries in which some search has a value.
 [[nodiscard]] std::vector<ResultRow> result_rows(const std::vector<GeneratorResults>& generators);
+
+/// How many searches found a failing test, and one that violates each requirement, and the median
+/// number of tests to it (text_of()). The titles are those of the generators, which must live on.
+[[nodiscard]] std::vector<ResultRow> first_rows(const std::vector<GeneratorResults>& generators);
 
 /// The columns in which pairs of generators are compared.
 [[nodiscard]] std::vector<const SummaryColumn*> tested_columns(

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Changes with the tables. A store of another version is refused.
-constexpr std::int64_t kVersion = 1;
+constexpr std::int64_t kVersion = 2;
 
 constexpr std::string_view kTables = R"(
 CREATE TABLE search_experiment (
@@ -34,9 +34,10 @@ CREATE TABLE search_runs (
 CREATE TABLE search_tests (
   id INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom LINESTRING, run INTEGER NOT NULL,
   number INTEGER NOT NULL, form TEXT NOT NULL, input TEXT NOT NULL, error TEXT NOT NULL,
-  simulated_s DOUBLE NOT NULL, measures TEXT NOT NULL, signature TEXT NOT NULL, fitness DOUBLE NOT NULL,
-  failed INTEGER NOT NULL, candidates INTEGER NOT NULL, invalid INTEGER NOT NULL,
-  generation_s DOUBLE NOT NULL, execution_s DOUBLE NOT NULL, UNIQUE (run, number));
+  refused TEXT NOT NULL, simulated_s DOUBLE NOT NULL, measures TEXT NOT NULL,
+  signature TEXT NOT NULL, fitness DOUBLE NOT NULL, failed INTEGER NOT NULL,
+  candidates INTEGER NOT NULL, invalid INTEGER NOT NULL, generation_s DOUBLE NOT NULL,
+  execution_s DOUBLE NOT NULL, UNIQUE (run, number));
 )";
 
 constexpr std::array kListed = {
@@ -76,7 +77,7 @@ constexpr std::string_view kDamaged = "the store is damaged: it has tests that i
 
 constexpr std::string_view kRows =
     "SELECT run, form, input, error, simulated_s, measures, fitness, failed, candidates, invalid, "
-    "generation_s, execution_s, signature, number FROM search_tests ORDER BY run, number";
+    "generation_s, execution_s, signature, number, refused FROM search_tests ORDER BY run, number";
 
 /// A test of a search with this SUT; nothing if it cannot be one.
 std::optional<TestRow> read_row(const Statement& rows, const SutModel& model) {
@@ -88,7 +89,8 @@ std::optional<TestRow> read_row(const Statement& rows, const SutModel& model) {
   if (!form || !input || !measures || !signature) return std::nullopt;
   row.test.input = {*form, std::move(*input)};
   if (!model.space().contains(row.test.input)) return std::nullopt;
-  row.test.outcome = {rows.text(3), rows.real(4), std::move(*measures), std::move(*signature)};
+  row.test.outcome = {rows.text(3), rows.real(4), std::move(*measures), std::move(*signature),
+                      rows.text(14)};
   const bool measured = row.test.outcome.measures.size() == model.measures().size();
   if (row.test.outcome.executed() && !measured) return std::nullopt;
   row.test.fitness = rows.real(6);
@@ -164,7 +166,7 @@ class Store : public SearchStore {
         insert_(*database_,
                 "INSERT INTO search_tests (geom, run, number, form, input, error, simulated_s, "
                 "measures, fitness, failed, candidates, invalid, generation_s, execution_s, "
-                "signature) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)") {
+                "signature, refused) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)") {
     for (const std::vector<TestRow>& tests : finished_) had_ += tests.size();
   }
 
@@ -188,7 +190,7 @@ class Store : public SearchStore {
                 name(test.input.form), Json(test.input.values).dump(), test.outcome.error,
                 test.outcome.simulated_s, Json(test.outcome.measures).dump(), test.fitness,
                 test.failed ? 1 : 0, row.candidates, row.invalid, row.generation_s, row.execution_s,
-                Json(test.outcome.signature).dump());
+                Json(test.outcome.signature).dump(), test.outcome.refused);
     return database_->failure() ? Continue::no : Continue::yes;
   }
 

@@ -236,7 +236,7 @@ class CrossingReader {
   /// The settings common to all tests.
   [[nodiscard]] std::vector<std::string> fixed_settings() const {
     std::vector<std::string> sets;
-    for (const CrossingDimension& each : dimensions_) {
+    for (const Dimension& each : dimensions_) {
       if (each.words.size() == 1) sets.push_back(fmt::format("{}={}", each.key, each.words[0]));
     }
     return sets;
@@ -288,7 +288,7 @@ class CrossingReader {
   const SutSetup& setup_;
   const ConfigReader& reader_;
   CrossingSettings settings_;
-  std::vector<CrossingDimension> dimensions_;
+  std::vector<Dimension> dimensions_;
   CrossingStartsReader starts_;
   /// Paths of policies, and where they were named.
   std::vector<std::pair<std::string, ValueOrigin>> offered_;

@@ -14,50 +14,13 @@
 namespace jaywalk::search {
 namespace {
 
-/// From -1 ... 1 to 0 ... count - 1, all of them equally wide.
-std::size_t choice(double value, std::size_t count) {
-  const double share = std::clamp((value + 1) / 2, 0.0, 1.0);
-  return std::min(count - 1, static_cast<std::size_t>(share * static_cast<double>(count)));
-}
-
-std::size_t whole_numbers(const CrossingDimension& dimension) {
-  const long span = std::lround(dimension.to) - std::lround(dimension.from);
-  return static_cast<std::size_t>(span / dimension.step) + 1;
-}
-
-std::size_t distinct_values_of(const CrossingDimension& dimension) {
-  switch (dimension.kind) {
-    case CrossingDimension::Kind::word:
-      return dimension.words.size();
-    case CrossingDimension::Kind::whole:
-      return whole_numbers(dimension);
-    case CrossingDimension::Kind::number:
-      break;
-  }
-  return 0;
-}
-
-std::string value_text(const CrossingDimension& dimension, double value) {
-  switch (dimension.kind) {
-    case CrossingDimension::Kind::word:
-      return dimension.words[choice(value, dimension.words.size())];
-    case CrossingDimension::Kind::whole: {
-      const auto steps = static_cast<long>(choice(value, whole_numbers(dimension)));
-      return fmt::format("{}", std::lround(dimension.from) + steps * dimension.step);
-    }
-    case CrossingDimension::Kind::number:
-      break;
-  }
-  return fmt::format("{:.6g}", dimension.from + (dimension.to - dimension.from) * (value + 1) / 2);
-}
-
 /// Numbers and atoms, which need not be read as a scenario's.
 bool is_plain(const std::string& word) {
   return parse_number(word) || (is_atom(word) && word != "true" && word != "false");
 }
 
 /// The parameter that a dimension sets for all agents of the behaviour; empty: none.
-std::string parameter_name(const CrossingDimension& dimension, const std::string& behaviour) {
+std::string parameter_name(const Dimension& dimension, const std::string& behaviour) {
   const std::string above = fmt::format("behaviours.{}.parameters.", behaviour);
   if (!dimension.key.starts_with(above)) return {};
   if (!std::ranges::all_of(dimension.words, is_plain)) return {};
@@ -65,98 +28,16 @@ std::string parameter_name(const CrossingDimension& dimension, const std::string
   return name.find('.') == std::string::npos ? name : std::string();
 }
 
-class DimensionReader {
-  static constexpr NumberRange kAnyNumber{-1e6, 1e6};
-
- public:
-  DimensionReader(const ConfigReader& reader, std::vector<CrossingDimension>& dimensions)
-      : reader_(reader), dimensions_(dimensions) {}
-
-  /// A map from the scenario's keys, dotted or as maps within maps, to their values.
-  void read(const ConfigNode& node, const std::string& above = {}) {
-    if (node.kind != ConfigNode::Kind::map) {
-      reader_.unexpected(node, "keys of the scenario and their ranges");
-      return;
-    }
-    for (const ConfigEntry& entry : node.entries) {
-      const std::string key = above + entry.key;
-      const ConfigNode& value = entry.value;
-      const bool is_inner = value.kind == ConfigNode::Kind::map && value.find("whole") == nullptr;
-      if (is_inner && !value.entries.empty()) {
-        read(value, key + '.');
-      } else if (auto dimension = read_range(value)) {
-        dimension->key = key;
-        // Another layer may have given it in the other form.
-        std::erase_if(dimensions_, [&](const CrossingDimension& each) { return each.key == key; });
-        dimensions_.push_back(std::move(*dimension));
-      }
-    }
-  }
-
- private:
-  /// `[from, to]`, `{whole: [from, to], step: 2}`, `[forward, back]`, `[1, 2, 4]` or `[2]`.
-  std::optional<CrossingDimension> read_range(const ConfigNode& node) {
-    if (node.find("whole") != nullptr) return read_whole(node);
-    const bool is_list = node.kind == ConfigNode::Kind::list && !node.items.empty();
-    if (is_list && (node.items.size() != 2 || !parse_number(node.items.front().text))) {
-      return read_words(node);
-    }
-    CrossingDimension dimension;
-    const auto numbers = reader_.number_pair(node, kAnyNumber);
-    if (!numbers) return std::nullopt;
-    dimension.from = (*numbers)[0];
-    dimension.to = (*numbers)[1];
-    return dimension;
-  }
-
-  std::optional<CrossingDimension> read_words(const ConfigNode& node) {
-    CrossingDimension dimension{.kind = CrossingDimension::Kind::word};
-    for (const ConfigNode& item : node.items) {
-      const auto word = reader_.text(item, "a word");
-      if (!word) return std::nullopt;
-      dimension.words.push_back(*word);
-    }
-    return dimension;
-  }
-
-  std::optional<CrossingDimension> read_whole(const ConfigNode& node) {
-    CrossingDimension dimension{.kind = CrossingDimension::Kind::whole};
-    bool well = false;
-    const std::vector<ConfigKey> keys{
-        {"whole",
-         [&](const ConfigNode& value, const std::string&) {
-           const auto numbers = reader_.number_pair(value, kAnyNumber);
-           if (!numbers) return;
-           dimension.from = (*numbers)[0];
-           dimension.to = (*numbers)[1];
-           well = true;
-         }},
-        {"step",
-         [&](const ConfigNode& value, const std::string&) {
-           if (const auto step = reader_.integer(value, {1, 1'000'000})) {
-             dimension.step = static_cast<int>(*step);
-           }
-         }},
-    };
-    reader_.read_map(node, "parameters", keys);
-    if (!well) return std::nullopt;
-    return dimension;
-  }
-
-  const ConfigReader& reader_;
-  std::vector<CrossingDimension>& dimensions_;
-};
-
 }  // namespace
 
-CrossingSpace::CrossingSpace(std::vector<CrossingDimension> dimensions, std::string behaviour,
+CrossingSpace::CrossingSpace(std::vector<Dimension> dimensions, std::string behaviour,
                              CrossingStarts starts)
     : dimensions_(std::move(dimensions)),
       behaviour_(std::move(behaviour)),
       starts_(std::move(starts)) {
-  for (const CrossingDimension& each : dimensions_) {
+  for (const Dimension& each : dimensions_) {
     names_.push_back(parameter_name(each, behaviour_));
-    distinct_.push_back(distinct_values_of(each));
+    distinct_.push_back(each.distinct_values());
   }
   for (std::uint32_t i = 0; i < starts_.searched; ++i) {
     distinct_.push_back(starts_.rows.size());
@@ -188,8 +69,7 @@ TestInput CrossingSpace::draw_initial(Random& random) const {
 std::vector<std::string> CrossingSpace::settings(const TestInput& input) const {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < dimensions_.size(); ++i) {
-    all.push_back(
-        fmt::format("{}={}", dimensions_[i].key, value_text(dimensions_[i], input.values[i])));
+    all.push_back(fmt::format("{}={}", dimensions_[i].key, dimensions_[i].text(input.values[i])));
   }
   if (!starts_.moves.empty()) {
     all.push_back(fmt::format("behaviours.{}.parameters.moves={}", behaviour_,
@@ -202,8 +82,7 @@ std::string CrossingSpace::describe(const TestInput& input) const {
   std::string text;
   for (std::size_t i = 0; i < dimensions_.size(); ++i) {
     const std::string& name = names_[i].empty() ? dimensions_[i].key : names_[i];
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", name,
-                        value_text(dimensions_[i], input.values[i]));
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", name, dimensions_[i].text(input.values[i]));
   }
   for (const Position& start : starts(input)) {
     text += fmt::format("{}from row {}, cell {}", text.empty() ? "" : ", ", start.x, start.y);
@@ -225,7 +104,7 @@ std::vector<ParameterSetting> CrossingSpace::parameters(const TestInput& input) 
   std::vector<ParameterSetting> all;
   for (std::size_t i = 0; i < dimensions_.size(); ++i) {
     if (names_[i].empty()) continue;
-    std::string text = value_text(dimensions_[i], input.values[i]);
+    std::string text = dimensions_[i].text(input.values[i]);
     const auto number = parse_number(text);
     all.push_back({.name = names_[i],
                    .values = {number ? ParameterValue(*number) : ParameterValue(std::move(text))},
@@ -255,8 +134,24 @@ std::vector<Position> CrossingSpace::starts(const TestInput& input) const {
 }
 
 void read_dimensions(const ConfigNode& node, const ConfigReader& reader,
-                     std::vector<CrossingDimension>& dimensions) {
-  DimensionReader(reader, dimensions).read(node);
+                     std::vector<Dimension>& dimensions, const std::string& above) {
+  if (node.kind != ConfigNode::Kind::map) {
+    reader.unexpected(node, "keys of the scenario and their ranges");
+    return;
+  }
+  for (const ConfigEntry& entry : node.entries) {
+    const std::string key = above + entry.key;
+    const ConfigNode& value = entry.value;
+    const bool is_inner = value.kind == ConfigNode::Kind::map && value.find("whole") == nullptr;
+    if (is_inner && !value.entries.empty()) {
+      read_dimensions(value, reader, dimensions, key + '.');
+    } else if (auto dimension = read_dimension(value, reader)) {
+      dimension->key = key;
+      // Another layer may have given it in the other form.
+      std::erase_if(dimensions, [&](const Dimension& each) { return each.key == key; });
+      dimensions.push_back(std::move(*dimension));
+    }
+  }
 }
 
 }  // namespace jaywalk::search

@@ -10,21 +10,10 @@
 #include "env/config/reader.h"
 #include "env/crossing/parameters.h"
 #include "experiment/scenario/scenario.h"
+#include "search/suts/dimension.h"
 #include "search/test_input.h"
 
 namespace jaywalk::search {
-
-/// A key of the scenario and its values: a range or some words.
-struct CrossingDimension {
-  /// Its dotted path, `world.av.speed`.
-  std::string key;
-  double from = 0;
-  double to = 0;
-  /// From one whole number to the next.
-  int step = 1;
-  enum class Kind { number, whole, word } kind = Kind::number;
-  std::vector<std::string> words;
-};
 
 /// The starts of pedestrians: each by itself in one of the rows and its cells, or all as in one of
 /// the given choices; if there is neither, starts are random.
@@ -44,8 +33,7 @@ struct CrossingStarts {
 class CrossingSpace : public SearchSpace {
  public:
   /// `behaviour`: the behaviour with the moves; its parameters can be set without another scenario.
-  CrossingSpace(std::vector<CrossingDimension> dimensions, std::string behaviour,
-                CrossingStarts starts);
+  CrossingSpace(std::vector<Dimension> dimensions, std::string behaviour, CrossingStarts starts);
 
   [[nodiscard]] std::size_t dimension() const override {
     return std::max<std::size_t>(1, distinct_.size());
@@ -74,7 +62,7 @@ class CrossingSpace : public SearchSpace {
   /// Which of the given starts. REQUIRES: there are some.
   [[nodiscard]] std::size_t given_start(const TestInput& input) const;
 
-  std::vector<CrossingDimension> dimensions_;
+  std::vector<Dimension> dimensions_;
   std::string behaviour_;
   /// The parameter's name, for each dimension; empty: it is none.
   std::vector<std::string> names_;
@@ -83,9 +71,10 @@ class CrossingSpace : public SearchSpace {
 };
 
 /// Adds the dimensions of the map `parameters` of a SUT, which gives keys of a scenario that a
-/// search chooses values of with their ranges; replaces the range of a key that is there already.
-/// Errors go to the reader's diagnostics.
+/// search chooses values of with their ranges, dotted or as maps within maps; replaces the range of
+/// a key that is there already. `above`: what stands before each key. Errors go to the reader's
+/// diagnostics.
 void read_dimensions(const ConfigNode& node, const ConfigReader& reader,
-                     std::vector<CrossingDimension>& dimensions);
+                     std::vector<Dimension>& dimensions, const std::string& above = {});
 
 }  // namespace jaywalk::search

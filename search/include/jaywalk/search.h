@@ -89,8 +89,10 @@ struct FoundTest {
   std::vector<double> points;
   double fitness = 0;
   bool has_failed = false;
-  /// Why it has no result; empty if it has one.
+  /// Why it has no result; empty if it has one or was refused.
   std::string error;
+  /// Why the system refused it as invalid: it counts as a candidate, not as a test. Else empty.
+  std::string refused;
   /// In the order of RunnableSearch::measures.
   std::vector<double> measures;
   double simulated_s = 0;

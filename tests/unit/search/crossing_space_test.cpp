@@ -10,8 +10,6 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-using Dimension = CrossingDimension;
-
 Dimension number(std::string key, double from, double to) {
   return {.key = std::move(key), .from = from, .to = to};
 }

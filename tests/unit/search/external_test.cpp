@@ -166,5 +166,163 @@ TEST_F(ExternalSut, GetsTheTestsNumberOfTheStore) {
   EXPECT_TRUE(results.runs[0].tests[2].test.outcome.executed());
 }
 
+/// Searches a program with named inputs and signals, which is a shell script.
+class ExternalSignals : public testing::Test {
+ protected:
+  /// `keys` replace or add others.
+  static Result<SearchExperiment> read(const std::string& script, std::vector<std::string> sets) {
+    const std::string text = "sut:\n  kind: external\n  command: [sh, -c, '" + script +
+                             "']\n"
+                             "  duration_s: 2\n"
+                             "  inputs:\n    gas: {range: [0, 10], pieces: 2}\n    gain: [0, 1]\n"
+                             "  signals: {speed: [0, 100], rpm: [0, 1000]}\n"
+                             "  requirements:\n    slow: always speed < 50\n"
+                             "    calm: always[1, 2] rpm <= 500\n"
+                             "budget: {tests: 4, virtual_s: 0}\ngenerators: [random]\n";
+    return parse_search(std::make_shared<const Source>("external.yaml", text),
+                        {.sets = std::move(sets)});
+  }
+
+  SearchResults run(const std::string& script, std::vector<std::string> sets = {}) {
+    auto experiment = read(script, std::move(sets));
+    if (!experiment.ok()) {
+      ADD_FAILURE() << experiment.diagnostics().render();
+      return {};
+    }
+    errors_.clear();
+    return run_searches(
+        experiment.value().plan, nullptr,
+        {.progress = {}, .error = [&](const auto&, auto, auto, const std::string& error) {
+           errors_.push_back(error);
+         }});
+  }
+
+  /// The program answers every test with this object.
+  static std::string always(std::string answer) {
+    for (std::size_t at = 0; (at = answer.find('"', at)) != std::string::npos; at += 2) {
+      answer.insert(at, 1, '\\');
+    }
+    return "while read line; do echo \"" + answer + "\"; done";
+  }
+
+  std::vector<std::string> errors_;
+};
+
+TEST_F(ExternalSignals, AreJudgedByEachRequirement) {
+  const SearchResults results =
+      run(always(R"({"time": [0, 1, 2], "speed": [10, 40, 20], "rpm": [900, 400, 500]})"));
+  ASSERT_EQ(results.runs[0].tests.size(), 4U);
+  const ExecutedTest& test = results.runs[0].tests[0].test;
+  ASSERT_TRUE(test.outcome.executed()) << test.outcome.error;
+  // slow: 10 of up to 50; calm: 0 of up to 500, and kept, since 500 <= 500.
+  const std::vector<double>& measures = test.outcome.measures;
+  ASSERT_EQ(measures.size(), 5U);
+  EXPECT_GT(measures[0], 0) << "the least: that of calm, which was only just kept";
+  EXPECT_LT(measures[0], 1e-9);
+  EXPECT_DOUBLE_EQ(measures[1], 10);
+  EXPECT_DOUBLE_EQ(measures[2], 0.2);
+  EXPECT_DOUBLE_EQ(measures[3], 0);
+  EXPECT_FALSE(test.failed);
+  EXPECT_DOUBLE_EQ(test.outcome.simulated_s, 2) << "from the first time to the last";
+}
+
+TEST_F(ExternalSignals, FailWhereOneRequirementIsViolated) {
+  // speed is 50, which is not less than 50, by nothing.
+  const SearchResults results =
+      run(always(R"({"time": [0, 1, 2], "speed": [10, 50, 20], "rpm": [0, 0, 0], "sim_time": 7})"));
+  const ExecutedTest& test = results.runs[0].tests[0].test;
+  EXPECT_TRUE(test.failed);
+  EXPECT_EQ(test.fitness, 1);
+  EXPECT_LT(test.outcome.measures[1], 0);
+  EXPECT_DOUBLE_EQ(test.outcome.measures[3], 500);
+  EXPECT_DOUBLE_EQ(test.outcome.simulated_s, 7) << "sim_time counts if it is answered";
+}
+
+TEST_F(ExternalSignals, EndASearchAtItsFirstFailure) {
+  const SearchResults results =
+      run(always(R"({"time": [0, 1, 2], "speed": [99, 99, 99], "rpm": [0, 0, 0]})"),
+          {"budget.failures=1"});
+  EXPECT_EQ(results.runs[0].tests.size(), 1U);
+  EXPECT_TRUE(results.complete);
+}
+
+TEST_F(ExternalSignals, AreAskedForWithTheInputsByName) {
+  const SearchResults results = run(
+      R"(while read line; do case $line in *\"inputs\":{\"gain\":*\"gas\":[*,*]}*\"test\":*) )"
+      R"(echo "{\"time\": [0, 1], \"speed\": [0, 0], \"rpm\": [0, 0]}";; *) exit 1;; esac; done)");
+  EXPECT_TRUE(errors_.empty()) << errors_.front();
+  EXPECT_EQ(results.runs[0].tests.size(), 4U);
+}
+
+TEST_F(ExternalSignals, MayBeWrongInEveryWay) {
+  struct Wrong {
+    const char* answer;
+    const char* message;
+  };
+  for (const Wrong& wrong : {
+           Wrong{R"({"speed": [1, 2], "rpm": [1, 2]})", "there is no 'time'"},
+           Wrong{R"({"time": [0, 1], "rpm": [1, 2]})", "there is no 'speed'"},
+           Wrong{R"({"time": 3, "speed": [1, 2], "rpm": [1, 2]})", "'time' is no list of numbers"},
+           Wrong{R"({"time": [0, 1], "speed": [1, 2, 3], "rpm": [1, 2]})",
+                 "'speed' has 3 values, 'time' has 2"},
+           Wrong{R"({"time": [], "speed": [], "rpm": []})", "'time' has fewer than two values"},
+           Wrong{R"({"time": [0], "speed": [1], "rpm": [1]})", "'time' has fewer than two values"},
+           Wrong{R"({"time": [0, 1], "speed": [1, null], "rpm": [1, 2]})",
+                 "'speed' has null where"},
+           Wrong{R"({"time": [0, 1], "speed": [1, true], "rpm": [1, 2]})",
+                 "'speed' has true where"},
+           Wrong{R"({"time": [0, 1], "speed": [1, 1e999], "rpm": [1, 2]})", ""},
+           Wrong{R"({"time": [0, 1], "speed": [1, 1e300], "rpm": [1, 2]})", "'speed' has 1e+300"},
+           Wrong{R"({"time": [0, 1], "speed": [1, NaN], "rpm": [1, 2]})", "expected a JSON object"},
+           Wrong{R"({"time": [0, 0], "speed": [1, 1], "rpm": [1, 2]})", "'time' does not rise"},
+           Wrong{R"({"time": [0, 1, 3], "speed": [1, 1, 1], "rpm": [1, 2, 3]})", "must be equal"},
+           Wrong{R"({"time": [0, 1], "speed": [1, 1], "rpm": [1, 2], "sim_time": -1})", "sim_time"},
+           Wrong{R"([1, 2])", "expected a JSON object"},
+           Wrong{R"({"error": "no licence"})", "it says 'no licence'"},
+       }) {
+    const SearchResults results = run(always(wrong.answer));
+    EXPECT_EQ(errors_.size(), 4U) << wrong.answer;
+    if (errors_.empty()) continue;
+    EXPECT_THAT(errors_[0], HasSubstr(wrong.message)) << wrong.answer;
+    EXPECT_FALSE(results.runs[0].tests[0].test.failed) << wrong.answer;
+  }
+}
+
+/// Refuses every other test.
+constexpr auto kPicky =
+    R"(i=0; while read line; do i=$((i+1)); if [ $((i % 2)) = 1 ]; )"
+    R"(then echo "{\"invalid\": \"both pedals\"}"; )"
+    R"(else echo "{\"time\": [0, 1], \"speed\": [60, 60], \"rpm\": [0, 0]}"; fi; done)";
+
+TEST_F(ExternalSignals, MayRefuseInputsWhichAreNoTests) {
+  const SearchResults results = run(kPicky);
+  EXPECT_TRUE(errors_.empty()) << errors_.front();
+  ASSERT_EQ(results.runs[0].tests.size(), 8U) << "four are executed";
+  const TestRow& refused = results.runs[0].tests[0];
+  EXPECT_EQ(refused.test.outcome.refused, "both pedals");
+  EXPECT_FALSE(refused.test.outcome.executed());
+  EXPECT_FALSE(refused.test.failed);
+  EXPECT_EQ(refused.invalid, refused.candidates);
+  EXPECT_EQ(results.runs[0].tests[1].invalid, 0U);
+}
+
+TEST_F(ExternalSignals, MayNotRefuseAllInputs) {
+  // With its number, as 20 ms are waited for after each answer without.
+  const SearchResults results =
+      run(R"(while read line; do n=${line##*\"test\":}; )"
+          R"(echo "{\"test\": ${n%%[!0-9]*}, \"invalid\": \"never\"}"; done)");
+  EXPECT_FALSE(results.complete);
+  EXPECT_THAT(
+      results.trouble.render(),
+      HasSubstr(
+          "random, repetition 0: error: 10000 tests in a row are invalid; the last one: never"));
+}
+
+TEST_F(ExternalSignals, CostVirtualTimeUnlessTheyAreRefused) {
+  const SearchResults results = run(kPicky, {"budget={tests: 0, virtual_s: 30, overhead_s: 9}"});
+  EXPECT_EQ(results.runs[0].spent_s, 30) << "three tests of 1 s";
+  EXPECT_TRUE(results.complete);
+}
+
 }  // namespace
 }  // namespace jaywalk::search

@@ -125,7 +125,7 @@ TEST(RandomSequences, AreOfEachUsualLength) {
 struct Dimensions {
   void read(const ConfigNode& node) { read_dimensions(node, ConfigReader(diagnostics), all); }
 
-  std::vector<CrossingDimension> all;
+  std::vector<Dimension> all;
   Diagnostics diagnostics;
 };
 
@@ -134,7 +134,7 @@ TEST(Dimensions, ArePairsOfNumbers) {
   read.read(map({{"world.av.speed", list({"4", "14.5"})}}));
   ASSERT_EQ(read.all.size(), 1U);
   EXPECT_EQ(read.all[0].key, "world.av.speed");
-  EXPECT_EQ(read.all[0].kind, CrossingDimension::Kind::number);
+  EXPECT_EQ(read.all[0].kind, Dimension::Kind::number);
   EXPECT_EQ(read.all[0].from, 4);
   EXPECT_EQ(read.all[0].to, 14.5);
 }
@@ -144,7 +144,7 @@ TEST(Dimensions, AreWholeNumbersWithAStep) {
   read.read(map({{"world.length", map({{"whole", list({"10", "20"})}, {"step", scalar("5")}})},
                  {"world.width", map({{"whole", list({"1", "3"})}})}}));
   ASSERT_EQ(read.all.size(), 2U);
-  EXPECT_EQ(read.all[0].kind, CrossingDimension::Kind::whole);
+  EXPECT_EQ(read.all[0].kind, Dimension::Kind::whole);
   EXPECT_EQ(read.all[0].step, 5);
   EXPECT_EQ(read.all[1].step, 1);
 }
@@ -154,8 +154,8 @@ TEST(Dimensions, AreWordsAndListsOfNumbersThatAreNoPair) {
   read.read(
       map({{"a", list({"zebra", "signalled"})}, {"b", list({"1", "2", "4"})}, {"c", list({"2"})}}));
   ASSERT_EQ(read.all.size(), 3U);
-  for (const CrossingDimension& each : read.all) {
-    EXPECT_EQ(each.kind, CrossingDimension::Kind::word) << each.key;
+  for (const Dimension& each : read.all) {
+    EXPECT_EQ(each.kind, Dimension::Kind::word) << each.key;
   }
   EXPECT_THAT(read.all[1].words, ElementsAre("1", "2", "4"));
 }
@@ -173,7 +173,7 @@ TEST(Dimensions, TakeThePlaceOfEarlierOnesOfTheirKey) {
   read.read(map({{"a", map({{"whole", list({"5", "6"})}})}}));
   ASSERT_EQ(read.all.size(), 2U);
   EXPECT_EQ(read.all[1].key, "a");
-  EXPECT_EQ(read.all[1].kind, CrossingDimension::Kind::whole);
+  EXPECT_EQ(read.all[1].kind, Dimension::Kind::whole);
 }
 
 TEST(Dimensions, SayWhatIsNone) {

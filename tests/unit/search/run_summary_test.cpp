@@ -53,6 +53,46 @@ TEST(Clusters, JoinWhatIsNearAndPutTheLargestFirst) {
   EXPECT_EQ(groups[1], (std::vector<std::size_t>{0, 3}));
 }
 
+TEST(TestsToSomething, CountsSearchesThatFoundNothingAsLonger) {
+  const std::vector<double> executed{9, 300, 300, 200};
+  const TestsTo most = tests_to(std::vector{9.0, 30.0, kUnknown, 20.0}, executed);
+  EXPECT_EQ(most.found, 3U);
+  EXPECT_EQ(most.searches, 4U);
+  EXPECT_EQ(most.median, 25) << "of 9, 20, 30 and more";
+  EXPECT_EQ(text_of(most), "3 of 4, 25");
+  const TestsTo half = tests_to(std::vector{9.0, kUnknown, kUnknown, 20.0}, executed);
+  EXPECT_EQ(half.median, std::nullopt) << "the third is not known";
+  EXPECT_EQ(text_of(half), "2 of 4, > 300");
+  const TestsTo none = tests_to(std::vector{kUnknown, kUnknown}, std::vector{300.0, 200.0});
+  EXPECT_EQ(text_of(none), "0 of 2, > 200") << "that is certain of both";
+  EXPECT_EQ(tests_to(std::vector{5.0, kUnknown, 3.0}, std::vector{5.0, 6.0, 3.0}).median, 5);
+}
+
+/// The corner's SUT with a requirement, of which `nearness` is the robustness.
+class JudgedCorner : public CornerSut {
+ public:
+  [[nodiscard]] std::span<const MeasureKind> measures() const override { return kJudged; }
+
+  static constexpr std::array kJudged = {
+      MeasureKind{.name = "nearness", .meaning = "", .requirement = "near"}};
+};
+
+TEST(Summaries, HaveTheFirstViolationOfARequirement) {
+  SearchRun run;
+  for (const double robustness : {0.5, 0.0, -0.1, -0.2}) {
+    run.tests.push_back(
+        {.test = {.input = {Form::vector, {0, 0}}, .outcome = {.measures = {robustness}}}});
+  }
+  run.tests.insert(run.tests.begin(), TestRow{.candidates = 1, .invalid = 1});
+  run.tests[0].test.input = {Form::vector, {0, 0}};
+  run.tests[0].test.outcome.refused = "no";
+  const RunSummary summary = summarise(run, JudgedCorner());
+  EXPECT_EQ(summary.tests, 4) << "the refused one is none";
+  EXPECT_EQ(summary.errors, 0);
+  EXPECT_EQ(summary.invalid_pct, 100) << "of the only candidate that was counted";
+  EXPECT_EQ(summary.tests_to_violation, std::vector<double>{3});
+}
+
 // A mean of 2 and 4 tests over three searches, of which one found nothing, is 3, not 2.
 TEST(Statistics, LeaveOutSearchesWithoutAValue) {
   EXPECT_DOUBLE_EQ(mean_and_deviation(std::vector{2.0, kUnknown, 4.0}).mean, 3);

@@ -63,6 +63,57 @@ TEST_F(SearchStoreTest, GivesBackEveryTestAsItWas) {
   }
 }
 
+/// Refuses inputs in the lower half, and counts those that it executes.
+class PickySut : public CornerSut {
+ public:
+  class Run : public Sut {
+   public:
+    explicit Run(int& runs) : runs_(runs) {}
+    Outcome run(const TestInput& input, std::size_t) override {
+      ++runs_;
+      Outcome outcome;
+      if (input.values[1] < 0) {
+        outcome.refused = "too low";
+      } else {
+        outcome.measures = {input.values[1]};
+      }
+      return outcome;
+    }
+
+   private:
+    int& runs_;
+  };
+
+  [[nodiscard]] std::unique_ptr<Sut> make() const override { return std::make_unique<Run>(runs); }
+
+  mutable int runs = 0;
+};
+
+TEST_F(SearchStoreTest, KeepsRefusedInputsSoThatTheyAreNotRunAgain) {
+  const auto picky = std::make_shared<PickySut>();
+  experiment_.plan.model = picky;
+  experiment_.plan.generators = {generator_spec("prospect")};
+  experiment_.plan.repetitions = 1;
+  SearchResults results;
+  {
+    auto store = SearchStore::open(path(), SearchStore::Mode::create, experiment_);
+    results = run_searches(experiment_.plan, store.value().get());
+    EXPECT_EQ(store.value()->finish(results), std::nullopt);
+  }
+  const int runs = picky->runs;
+  EXPECT_GT(runs, 30) << "thirty were executed, others refused";
+  EXPECT_EQ(results.runs[0].tests.size(), static_cast<std::size_t>(runs));
+  auto store = SearchStore::open(path(), SearchStore::Mode::resume, experiment_);
+  ASSERT_TRUE(store.ok()) << store.diagnostics().render();
+  const SearchResults again = run_searches(experiment_.plan, store.value().get());
+  EXPECT_EQ(picky->runs, runs) << "none is run again";
+  ASSERT_EQ(again.runs[0].tests.size(), static_cast<std::size_t>(runs));
+  for (std::size_t i = 0; i < again.runs[0].tests.size(); ++i) {
+    EXPECT_EQ(again.runs[0].tests[i].test.outcome, results.runs[0].tests[i].test.outcome);
+    EXPECT_EQ(again.runs[0].tests[i].invalid, results.runs[0].tests[i].invalid);
+  }
+}
+
 TEST_F(SearchStoreTest, DoesNotOverwriteAFile) {
   std::ofstream(path()) << "precious";
   EXPECT_THAT(open_error(SearchStore::Mode::create), HasSubstr("the file exists"));

@@ -155,6 +155,51 @@ TEST_F(SearchTables, SayNullInJsonWhereThereIsNoValue) {
   EXPECT_TRUE(json["generators"][0]["summary"]["sparseness"]["mean"].is_null());
 }
 
+TEST_F(SearchTables, SayHowManySearchesFoundAFailureAndWhen) {
+  const std::vector<GeneratorResults> generators = grouped();
+  const std::vector<ResultRow> rows = first_rows(generators);
+  ASSERT_EQ(rows.size(), 1U) << "there are no requirements";
+  EXPECT_THAT(rows[0].cells, ElementsAre("1 of 2, > 3", "2 of 2, 2.5"));
+  EXPECT_THAT(render_table(generators), HasSubstr("1 of 2, > 3       2 of 2, 2.5\n"));
+  EXPECT_THAT(to_html(experiment_, generators), HasSubstr("1 of 2, &gt; 3"));
+  const auto json = nlohmann::json::parse(to_json(experiment_, generators));
+  EXPECT_EQ(json["generators"][1]["first_failure"],
+            nlohmann::json::parse(R"({"found": 2, "searches": 2, "median_tests": 2.5})"));
+  EXPECT_TRUE(json["generators"][0]["first_failure"]["median_tests"].is_null());
+  EXPECT_EQ(json["generators"][0]["searches"][1]["tests"][1]["described"], "0.95 0");
+}
+
+/// Two requirements, of which the tests' first measure and what is left to 1 are the robustness.
+class TwiceJudged : public CornerSut {
+ public:
+  [[nodiscard]] std::span<const MeasureKind> measures() const override { return kJudged; }
+
+  static constexpr std::array kJudged = {
+      MeasureKind{.name = "a_robustness", .meaning = "", .requirement = "a"},
+      MeasureKind{.name = "b_robustness", .meaning = "", .requirement = "b"}};
+};
+
+TEST_F(SearchTables, SayWhichRequirementsWereViolatedAndWhen) {
+  experiment_.plan.model = std::make_shared<TwiceJudged>();
+  for (SearchRun& run : results_.runs) {
+    for (TestRow& row : run.tests) {
+      const double each = row.test.fitness;
+      row.test.outcome.measures = {0.4 - each, each - 0.2};
+    }
+  }
+  const std::vector<GeneratorResults> generators = grouped();
+  const std::vector<ResultRow> rows = first_rows(generators);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1].title, "a");
+  EXPECT_THAT(rows[1].cells, ElementsAre("1 of 2, > 3", "2 of 2, 1"));
+  EXPECT_THAT(rows[2].cells, ElementsAre("2 of 2, 1", "0 of 2, > 3"));
+  const std::string csv = to_csv(generators);
+  EXPECT_THAT(csv, HasSubstr(",execution_ms,tests_to_violate_a,tests_to_violate_b\n"));
+  EXPECT_THAT(csv.substr(csv.find("plain,0")), HasSubstr(",,1\nplain,1"));
+  const auto json = nlohmann::json::parse(to_json(experiment_, generators));
+  EXPECT_EQ(json["generators"][1]["requirements"]["a"]["found"], 2);
+}
+
 TEST_F(SearchTables, GroupFailingTestsThatAreAlike) {
   const std::vector<GeneratorResults> generators = grouped();
   const std::string html = clusters_html(generators[1], *experiment_.plan.model, 0);

@@ -227,6 +227,7 @@ bool have_results(const js::SearchResults& results, Console& console) {
   std::map<std::string, std::pair<std::size_t, std::size_t>> tests;  // all, executed
   for (const js::SearchRun& run : results.runs) {
     for (const js::TestRow& row : run.tests) {
+      if (!row.test.outcome.refused.empty()) continue;
       ++tests[run.generator].first;
       if (row.test.outcome.executed()) ++tests[run.generator].second;
     }
