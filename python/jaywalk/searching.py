@@ -11,7 +11,8 @@ from jaywalk import _native
 from jaywalk.bench import Path, _dataframe, data_folder, shipped
 from jaywalk.terms import whole, whole_or_none
 
-Range = tuple[float, float]
+#: From and to; or of a signal {"range": (0, 100), "pieces": 6}, as the key `inputs` of a search's file has it.
+Range = Union[tuple[float, float], Mapping[str, Any]]
 Space = Union[Mapping[str, Range], Sequence[Range]]
 
 
@@ -37,7 +38,8 @@ class SearchResult:
     """The tests of all searches, in their order."""
 
     def __init__(self, said: dict):
-        #: One dict a test: generator, repetition, test (from 0), input, fitness (0 to 1), failed, error, the measures.
+        #: One dict a test: generator, repetition, test (from 0), input, fitness (0 to 1), failed, error, refused (why a
+        #: program takes the input for none that may be tested), the measures.
         self.rows: list[dict[str, Any]] = said["rows"]
         #: False if the search was ended before its budget was spent.
         self.is_complete: bool = said["is_complete"]
@@ -87,7 +89,8 @@ def search(
     """Looks for inputs that fail.
 
     Of a function: `space` has the range of each input, by name ({"speed": (0, 30)}: the function is called with
-    keywords) or in order ([(0, 30), (-1, 1)]: with one list). It returns a number: fitness is 0 at `harmless` and
+    keywords) or in order ([(0, 30), (-1, 1)]: with one list). {"range": (0, 100), "pieces": 6} in the place of a range
+    is a signal, of which the function gets the list of the pieces' values. It returns a number: fitness is 0 at `harmless` and
     beyond, 1 at `worst` and beyond, and a test fails from `fails_at` on. (A robustness, which fails below 0: harmless=10,
     worst=0, fails_at=1.) `budget` is the number of tests of each search. `why_invalid` is called as the function is,
     and returns why such an input cannot be tested, or None. An exception of the function makes its test errored, and is
@@ -121,8 +124,13 @@ def search(
         raise TypeError("a search of a function needs a space and a budget")
     names, ranges = _read_space(space)
 
-    def scaled(values: Sequence[float]) -> list[float]:
-        return [low + (value + 1) / 2 * (high - low) for value, (low, high) in zip(values, ranges)]
+    def scaled(values: Sequence[float]) -> list[Any]:
+        rest = iter(values)
+        inputs: list[Any] = []
+        for low, high, pieces in ranges:
+            own = [low + (next(rest) + 1) / 2 * (high - low) for _ in range(pieces or 1)]
+            inputs.append(own if pieces else own[0])
+        return inputs
 
     def called(function: Callable) -> Callable:
         if names is None:
@@ -133,7 +141,7 @@ def search(
     said = _native.search_function(
         called(fitness),
         None if why_invalid is None else called(why_invalid),
-        len(ranges),
+        sum(pieces or 1 for _, _, pieces in ranges),
         harmless,
         worst,
         fails_at,
@@ -156,14 +164,22 @@ def generators() -> dict[str, str]:
     return _native.generators()
 
 
-def _read_space(space: Space) -> tuple[Optional[list[str]], list[Range]]:
+def _read_space(space: Space) -> tuple[Optional[list[str]], list[tuple[float, float, Optional[int]]]]:
+    """The names, if there are any, and from, to and the number of pieces (None: one value) of each input."""
     names = list(space) if isinstance(space, Mapping) else None
-    ranges = list(space.values()) if isinstance(space, Mapping) else list(space)
-    for index, each in enumerate(ranges):
-        low, high = each
+    ranges = []
+    for index, each in enumerate(space.values() if isinstance(space, Mapping) else space):
         name = names[index] if names else index
+        pieces = None
+        if isinstance(each, Mapping):
+            if set(each) != {"range", "pieces"}:
+                raise ValueError(f"a signal has a range and pieces; {name} has {', '.join(map(str, each)) or 'nothing'}")
+            pieces = whole(f"pieces of {name}", each["pieces"], 1, 1000)
+            each = each["range"]
+        low, high = each
         if not (math.isfinite(low) and math.isfinite(high)):
             raise ValueError(f"the range of {name} is not finite: {low} to {high}")
         if not low < high:
             raise ValueError(f"the range of {name} is empty: {low} to {high}")
+        ranges.append((low, high, pieces))
     return names, ranges

@@ -102,6 +102,7 @@ py::list to_python(const search::SearchReport& report, const std::vector<std::st
       row["fitness"] = test.fitness;
       row["failed"] = test.has_failed;
       row["error"] = test.error;
+      row["refused"] = test.refused;
       for (std::size_t i = 0; i < measures.size(); ++i) {
         row[py::str(measures[i])] =
             i < test.measures.size() ? py::object(py::float_(test.measures[i])) : py::none();

@@ -60,6 +60,24 @@ class SearchTest(unittest.TestCase):
         found = jaywalk.search(sum, [(0, 1), (0, 1)], generator="random", budget=50, worst=2, why_invalid=why_invalid)
         self.assertTrue(all(row["input"][0] <= row["input"][1] for row in found.rows))
 
+    def test_gives_signals_as_lists_of_pieces(self):
+        def worst(gain, brake):
+            self.assertIsInstance(gain, float)
+            self.assertEqual(len(brake), 3)
+            self.assertTrue(all(10 <= each <= 20 for each in brake))
+            return max(brake) * gain
+
+        space = {"gain": (0, 1), "brake": {"range": (10, 20), "pieces": 3}}
+        found = jaywalk.search(worst, space, generator=["random", "graft"], budget=30, harmless=0, worst=20)
+        self.assertEqual(len(found.rows), 60)
+        for row in found.rows:
+            self.assertFalse(row["error"])
+            self.assertEqual(row["value"], worst(**row["input"]))
+        with self.assertRaisesRegex(ValueError, "a signal has a range and pieces; brake has range"):
+            jaywalk.search(worst, {"gain": (0, 1), "brake": {"range": (10, 20)}}, budget=1)
+        with self.assertRaisesRegex(ValueError, "pieces of brake"):
+            jaywalk.search(worst, {"gain": (0, 1), "brake": {"range": (10, 20), "pieces": 0}}, budget=1)
+
     def test_runs_generators_that_are_classes_beside_its_own(self):
         found = jaywalk.search(distance, SPACE, generator=["random", Narrowing], budget=150, repetitions=5, **SCALE)
         first = found.tests_to_first_failure
