@@ -5,7 +5,7 @@
 #   include/jaywalk/            the public headers, those of */include/jaywalk in the project
 #   lib/libjaywalk_*.a          the libraries
 #   lib/cmake/jaywalk/          find_package(jaywalk): jaywalk::interpreter, ::env, ::experiment, ::search
-#   share/jaywalk/              agents, scenarios and examples, with their documents
+#   share/jaywalk/              agents, scenarios and examples, with their documents; jason/, the host of Java classes
 #   share/doc/jaywalk/          the other documents, in the project's folders, and the licence
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -45,6 +45,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/agents ${PROJECT_SOURCE_DIR}/examples ${
         FILES_MATCHING PATTERN "*.asl" PATTERN "*.mas2j" PATTERN "*.py" PATTERN "*.yaml" PATTERN "*.csv"
         PATTERN "*.json" PATTERN "*.svg" PATTERN "*.xml" PATTERN "*.sh" PATTERN "*.cpp" PATTERN "*.txt"
         PATTERN "__pycache__" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/jason DESTINATION ${JAYWALK_DATA_DIR} FILES_MATCHING PATTERN "*.java")
 install(FILES ${PROJECT_SOURCE_DIR}/docs/crossing.gif ${PROJECT_SOURCE_DIR}/docs/paper.svg
         DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_documents.cmake)
