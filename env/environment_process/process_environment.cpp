@@ -20,6 +20,9 @@ using nlohmann::json;
 /// How long a free-running world may wait for something to happen.
 constexpr double kLongestWaitMs = 1000;
 
+/// How many seconds a call may take: a day. Ctrl-C ends it.
+constexpr double kCallS = 86'400;
+
 /// The name for all agents in answers, and that of an answer in messages.
 constexpr std::string_view kEveryAgent = "*";
 constexpr std::string_view kAnswer = "its answer";
@@ -215,8 +218,16 @@ bool ProcessEnvironment::ask(json question, double limit_s, json& answer) {
     started_ = false;
     return false;
   }
+  if (answer.contains("called") || answer.contains("events")) news_.push_back(answer);
   if (!answer.contains("n")) reject("there is no 'n', the number of the question");
   return refuse_if_wrong();
+}
+
+std::optional<std::size_t> ProcessEnvironment::call(json question, json& answer) {
+  if (!started_) return std::nullopt;
+  const std::size_t number = question_;
+  if (!ask(std::move(question), kCallS, answer)) return std::nullopt;
+  return number;
 }
 
 bool ProcessEnvironment::ask_and_apply(json question, double wait_s) {

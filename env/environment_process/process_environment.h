@@ -14,6 +14,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -70,6 +71,11 @@ class ProcessEnvironment final : public Environment {
   [[nodiscard]] const std::string& failure() const { return failure_; }
   /// The mistakes in the texts of its last answer, with their places.
   [[nodiscard]] const Diagnostics& mistakes() const { return mistakes_; }
+  /// A question that belongs to no tick, such as a call of an internal action that the program has.
+  /// Its number; none if the world has failed. It may take long: a person may be asked.
+  [[nodiscard]] std::optional<std::size_t> call(nlohmann::json question, nlohmann::json& answer);
+  /// Its answers since the last call that have more than a world for agents: `called`, `events`.
+  [[nodiscard]] std::vector<nlohmann::json> take_news() { return std::exchange(news_, {}); }
   /// Ends the program now rather than with this object, so that all it wrote is shown.
   void end();
 
@@ -149,6 +155,7 @@ class ProcessEnvironment final : public Environment {
   std::string problem_;  // the first one of an answer
   std::string failure_;
   Diagnostics mistakes_;
+  std::vector<Json> news_;
 };
 
 }  // namespace jaywalk

@@ -133,6 +133,10 @@ class Agent final : public MachineSurroundings, private AgentParts {
   /// Makes an intention wait for answers to a question that it has sent, for ever if `timeout_ms`
   /// is negative.
   void wait_for_answers(Intention& intention, PendingAsk ask, double timeout_ms);
+  /// Ends the wait for a question that was not sent to an agent: with its answer, or because it
+  /// failed. Nothing if no intention waits for it any more.
+  void answer_question(MessageId question, Value answer);
+  void fail_question(MessageId question, const ActionError& error);
   /// A name for a message. Names come again after very many messages.
   [[nodiscard]] MessageId new_message_id(MessageId::Kind kind);
 
@@ -240,6 +244,7 @@ class Agent final : public MachineSurroundings, private AgentParts {
   void sense();
   void process_message();
   [[nodiscard]] bool answer_arrived(const Message& message);
+  [[nodiscard]] std::optional<PendingAsk> take_ask(MessageId question);
   [[nodiscard]] bool ask_timed_out(std::uint64_t token);
   void end_ask(const PendingAsk& ask, Value answer);
   void handle_message(const Message& message);

@@ -289,6 +289,11 @@ class ProgramBuilder {
          symbols_.predicate(directive.args[2]->text, static_cast<std::uint16_t>(arity + 1))});
   }
 
+  [[nodiscard]] bool is_known_function(std::string_view name) const {
+    return std::ranges::any_of(actions_.functions(),
+                               [&](const auto& function) { return function.name == name; });
+  }
+
   void add_directive(const ast::Component& component) {
     const ast::Node& directive = *component.literal;
     if (directive.text == "include") {
@@ -296,9 +301,12 @@ class ProgramBuilder {
     } else if (directive.text == "namespace") {
       add_namespace(component);
     } else if (directive.text == "register_function") {
-      if (directive.args.size() == 1) {
-        diagnostics_.error(where(directive.span), "functions written in Java are not supported",
-                           "define it by a rule: register_function(\"my.f\", Arity, \"pred\")");
+      if (directive.args.size() == 1 && !is_known_function(directive.args[0]->text)) {
+        diagnostics_.error(
+            where(directive.span),
+            fmt::format("the function '{}' is a Java class", directive.args[0]->text),
+            "run with --jason PATH (see docs/guides/from_jason.md), or define it by "
+            "a rule: register_function(\"my.f\", Arity, \"pred\")");
       }
     } else if (is_goal_pattern(directive.text)) {
       add_pattern(component);

@@ -24,8 +24,9 @@ std::string first_error(const Diagnostics& diagnostics) {
 
 }  // namespace
 
-ProgramLoader::ProgramLoader(const std::string& folder, IncludePath include_path)
-    : folders_({folder}), include_path_(std::move(include_path)) {
+ProgramLoader::ProgramLoader(const std::string& folder, IncludePath include_path,
+                             const ActionRegistry* actions)
+    : folders_({folder}), include_path_(std::move(include_path)), actions_(actions) {
   include_path_.files.allow_reading(folder);
   readable_ = include_path_.readable_from(folder);
 }
@@ -70,7 +71,7 @@ std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request
                                            include_path_, diagnostics)
                               : load_agent(path, include_path_, diagnostics);
   auto program =
-      compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_names = request.included});
+      compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_names = request.included, .actions = actions_});
   if (diagnostics.has_errors()) problem.text = first_error(diagnostics);
   if (program == nullptr) return nullptr;
   if (!request.included || !program->has_own_namespaces()) loaded_[key] = {changed, program};

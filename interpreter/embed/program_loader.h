@@ -19,8 +19,9 @@ class ProgramLoader {
  public:
   /// For the programs of a folder (empty: the working one). Files are looked for there, then in the
   /// folders of the include path, then as they are named; only those that the programs may read
-  /// are loaded.
-  ProgramLoader(const std::string& folder, IncludePath include_path);
+  /// are loaded. `actions`: those of CompileOptions.
+  ProgramLoader(const std::string& folder, IncludePath include_path,
+                const ActionRegistry* actions = nullptr);
 
   /// Compiles a file into `symbols`, which must be the same table in every call. A file that has
   /// not changed is read once, unless it is included and has namespaces of its own. Null after
@@ -42,6 +43,7 @@ class ProgramLoader {
   std::vector<std::string> folders_;
   IncludePath include_path_;
   AllowedFolders readable_;
+  const ActionRegistry* actions_;
   std::unordered_map<std::string, Loaded> loaded_;  // by path, purpose and namespace
 };
 

@@ -48,16 +48,24 @@ class JavaReport {
   JavaReport(JavaParts parts, Diagnostics& diagnostics)
       : parts_(parts), diagnostics_(diagnostics) {}
 
-  void look_at(std::string_view role, const std::optional<ProjectClass>& java_class) {
+  /// `why` no host can run it; empty for what one can.
+  void look_at(std::string_view role, const std::optional<ProjectClass>& java_class,
+               std::string_view why) {
     if (!java_class || !needs_java(*java_class)) return;
-    if (parts_ == JavaParts::refused) {
-      diagnostics_.error(
-          java_class->where,
-          fmt::format("{} '{}' is a Java class, which cannot be run here", role, java_class->name),
-          "--ignore-java runs the project without it");
-    } else {
+    if (parts_.hosted && why.empty()) return;
+    if (parts_.ignored) {
       diagnostics_.warning(java_class->where, "java",
                            fmt::format("{} '{}' is left out", role, java_class->name));
+    } else if (why.empty()) {
+      diagnostics_.error(
+          java_class->where, fmt::format("{} '{}' is a Java class", role, java_class->name),
+          "run with --jason PATH (see docs/guides/from_jason.md), or write the world "
+          "as a program; --ignore-java runs the project without it");
+    } else {
+      diagnostics_.error(
+          java_class->where,
+          fmt::format("{} '{}' is a Java class that {}", role, java_class->name, why),
+          "--ignore-java runs the project without it");
     }
   }
 
@@ -66,20 +74,35 @@ class JavaReport {
   Diagnostics& diagnostics_;
 };
 
+/// Agents of Jade's platform are agents of one process here; what they say does not change.
+bool is_jade(const std::optional<ProjectClass>& infrastructure) {
+  return infrastructure && infrastructure->name == "Jade";
+}
+
 void look_for_java(const Project& project, JavaParts parts, Diagnostics& diagnostics) {
+  constexpr std::string_view kReasons = "changes how Jason itself reasons, which does not run here";
   JavaReport report(parts, diagnostics);
-  report.look_at("the infrastructure", project.infrastructure);
-  if (!project.environment || project.environment->name != kProcess) {
-    report.look_at("the environment", project.environment);
+  if (is_jade(project.infrastructure)) {
+    diagnostics.warning(project.infrastructure->where, "java",
+                        "all agents run in this process, not on the platform Jade");
+  } else {
+    report.look_at("the infrastructure", project.infrastructure,
+                   "runs Jason's agents, which do not run here");
   }
-  report.look_at("the execution control", project.execution_control);
+  if (!project.environment || project.environment->name != kProcess) {
+    report.look_at("the environment", project.environment, "");
+  }
+  report.look_at("the execution control", project.execution_control,
+                 "controls the cycles of Jason's agents, which do not run here");
   for (const ProjectAgent& agent : project.agents) {
-    report.look_at("the agent architecture", agent.arch_class);
-    report.look_at("the agent class", agent.agent_class);
-    report.look_at("the belief base", agent.belief_base_class);
+    report.look_at("the agent architecture", agent.arch_class, kReasons);
+    report.look_at("the agent class", agent.agent_class, kReasons);
+    report.look_at("the belief base", agent.belief_base_class,
+                   "keeps the beliefs of Jason's agents, which do not run here");
   }
   for (const auto& [name, java_class] : project.directives) {
-    report.look_at(fmt::format("the directive {}", name), java_class);
+    report.look_at(fmt::format("the directive {}", name), java_class,
+                   "changes plans of Jason's parser, which does not run here");
   }
 }
 
@@ -206,6 +229,11 @@ std::optional<ProjectParts> read_project_agents(const std::string& path,
   look_for_java(*project, java, diagnostics);
   ProjectParts parts;
   parts.environment = environment_of(*project, diagnostics);
+  parts.java.class_path = project->class_path;
+  if (java.hosted && project->environment && !parts.environment &&
+      needs_java(*project->environment)) {
+    parts.java.environment = project->environment;
+  }
 
   const fs::path folder = fs::path(path).parent_path();
   IncludePath folders = include_path;
@@ -248,6 +276,11 @@ std::optional<ProjectParts> read_project_agents(const std::string& path,
   }
   if (diagnostics.has_errors()) return std::nullopt;
   return parts;
+}
+
+SourceTree load_source(const ProgramSource& source, Diagnostics& diagnostics) {
+  return source.text ? load_agent(source.text, source.include_path, diagnostics)
+                     : load_agent(source.path, source.include_path, diagnostics);
 }
 
 }  // namespace jaywalk

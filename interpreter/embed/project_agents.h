@@ -11,6 +11,7 @@
 #include "interpreter/agent/surroundings/settings.h"
 #include "interpreter/support/diagnostics.h"
 #include "interpreter/syntax/load.h"
+#include "interpreter/syntax/project/project.h"
 
 namespace jaywalk {
 
@@ -34,12 +35,27 @@ struct ProjectEnvironment {
   SourceSpan where;
 };
 
+/// The parts of a project that a host of Java classes needs.
+struct ProjectJava {
+  /// The environment, if it is a class.
+  std::optional<ProjectClass> environment;
+  /// Folders and jars, as they are written.
+  std::vector<std::string> class_path;
+};
+
 struct ProjectParts {
   std::vector<ProgramSource> programs;
   std::optional<ProjectEnvironment> environment;
+  ProjectJava java;
 };
 
-enum class JavaParts { refused, ignored };
+/// What to do about Java classes.
+struct JavaParts {
+  /// There is a host for the environment. Other classes change how Jason itself reasons.
+  bool hosted = false;
+  /// Classes that are not hosted are left out, with a warning; otherwise they are refused.
+  bool ignored = false;
+};
 
 /// Reads the project at `path`. Includes are looked for in the project's own folders before those
 /// of `include_path`. Null after adding errors to `diagnostics`.
@@ -47,5 +63,8 @@ enum class JavaParts { refused, ignored };
                                                               const IncludePath& include_path,
                                                               JavaParts java,
                                                               Diagnostics& diagnostics);
+
+/// The program with all that it includes.
+[[nodiscard]] SourceTree load_source(const ProgramSource& source, Diagnostics& diagnostics);
 
 }  // namespace jaywalk

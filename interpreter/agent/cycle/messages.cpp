@@ -167,6 +167,24 @@ bool Agent::answer_arrived(const Message& message) {
   return true;
 }
 
+std::optional<PendingAsk> Agent::take_ask(MessageId question) {
+  auto& asks = circumstance_.asks;
+  const auto found = std::find_if(asks.begin(), asks.end(),
+                                  [&](const PendingAsk& ask) { return ask.id == question; });
+  if (found == asks.end()) return std::nullopt;
+  PendingAsk ask = std::move(*found);
+  asks.erase(found);
+  return ask;
+}
+
+void Agent::answer_question(MessageId question, Value answer) {
+  if (const auto ask = take_ask(question)) end_ask(*ask, answer);
+}
+
+void Agent::fail_question(MessageId question, const ActionError& error) {
+  if (const auto ask = take_ask(question)) fail_waiting(*ask->intention, error);
+}
+
 bool Agent::ask_timed_out(std::uint64_t token) {
   auto& asks = circumstance_.asks;
   const auto found = std::find_if(asks.begin(), asks.end(),

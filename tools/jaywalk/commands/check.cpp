@@ -105,7 +105,7 @@ class Checker {
 
   void check_project(const std::string& path) {
     const std::size_t known_warnings = diagnostics_.warning_count();
-    const auto project = read_project_agents(path, include_path_, JavaParts::ignored, diagnostics_);
+    const auto project = read_project_agents(path, include_path_, {.ignored = true}, diagnostics_);
     if (!project) return;
     const std::vector<ProgramSource>& programs = project->programs;
     // Code in Java, or a program that is the world, may post and ask for anything.

@@ -14,6 +14,7 @@
 #include "tools/jaywalk/options/input_files.h"
 #include "tools/jaywalk/options/option_names.h"
 #include "tools/jaywalk/options/scenario_options.h"
+#include "tools/jaywalk/run/java_host.h"
 #include "tools/jaywalk/run/own_world.h"
 #include "tools/jaywalk/run/run_files.h"
 
@@ -27,7 +28,8 @@ constexpr std::array kForScenarios = {
     option::kJunit, option::kFailOn, option::kStrict,    option::kPolicy};
 constexpr std::array kForPrograms = {option::kRealtime,    option::kThreads,
                                      option::kIgnoreJava,  option::kAllowWrite,
-                                     option::kEnvironment, option::kEnvironmentTimeout};
+                                     option::kEnvironment, option::kEnvironmentTimeout,
+                                     option::kJason};
 
 bool refuse(std::span<const OptionName> options, std::string_view kind, const Arguments& arguments,
             Console& console) {
@@ -65,7 +67,10 @@ CommandHelp help() {
               {option::kThreads, "N",
                "so many agents reason at the same time (default 1); what they\n"
                "do and print does not depend on it"},
-              {option::kIgnoreJava, "", "run a project without its Java classes"},
+              kJasonOption,
+              {option::kIgnoreJava, "",
+               "run a project without its Java classes, or without those that\n"
+               "--jason cannot run"},
               {option::kAllowWrite, "FOLDER",
                "the agents may write files in this folder, too, not only in the\n"
                "working one; repeatable"},

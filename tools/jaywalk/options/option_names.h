@@ -39,6 +39,7 @@ inline constexpr OptionName kHelp{"help"};
 inline constexpr OptionName kHtml{"html"};
 inline constexpr OptionName kIgnoreJava{"ignore-java"};
 inline constexpr OptionName kInclude{"include"};
+inline constexpr OptionName kJason{"jason"};
 inline constexpr OptionName kJson{"json"};
 inline constexpr OptionName kJunit{"junit"};
 inline constexpr OptionName kKills{"kills"};

@@ -90,9 +90,10 @@ void check_programs(const Scenario& scenario, Checked& checked, Diagnostics& fou
 }
 
 void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
-                    KnownWorld world, Diagnostics& found) {
+                    KnownWorld world, const ActionRegistry* actions, Diagnostics& found) {
   ProgramWords words = words_of(program);
   Vocabulary vocabulary = vocabulary_for(world ? *world : environment_of(words));
+  if (actions != nullptr) add_own_actions(*actions, vocabulary);
   vocabulary.may_be_alone = started == StartedAs::alone && !lies_in_project(path);
   vocabulary.begins_by_itself = started == StartedAs::alone;
   check_program(program, std::move(words), vocabulary, found);

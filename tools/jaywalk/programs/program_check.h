@@ -11,6 +11,7 @@
 #include "env/environments.h"
 #include "experiment/scenario/scenario.h"
 #include "interpreter/check/check.h"
+#include "interpreter/logic/action_registry.h"
 #include "interpreter/syntax/load.h"
 
 namespace jaywalk {
@@ -44,9 +45,10 @@ enum class StartedAs { alone, part };
 /// that the program seems to be written for.
 using KnownWorld = std::optional<const EnvironmentKind*>;
 
-/// Runs the checker alone on a program that compiles.
+/// Runs the checker alone on a program that compiles. `actions`: the internal actions and functions
+/// that it was compiled with; null: the standard ones.
 void check_compiled(const SourceTree& program, const std::string& path, StartedAs started,
-                    KnownWorld world, Diagnostics& found);
+                    KnownWorld world, const ActionRegistry* actions, Diagnostics& found);
 
 /// Compiles and checks a program by itself, for the environment that it seems to be written for.
 void check_alone(const SourceTree& program, const std::string& path, Diagnostics& found);

@@ -188,6 +188,17 @@ Vocabulary vocabulary_for(const EnvironmentKind* environment) {
   return vocabulary;
 }
 
+void add_own_actions(const ActionRegistry& actions, Vocabulary& vocabulary) {
+  const auto add = [&vocabulary](const auto& known, bool is_function) {
+    if (entry_of(vocabulary.internal_actions, known.name) != nullptr) return;
+    vocabulary.internal_actions.push_back(
+        {known.name, known.least_args, known.most_args, known.summary});
+    vocabulary.internal_actions.back().is_function = is_function;
+  };
+  for (const ActionDefinition& action : actions.actions()) add(action, false);
+  for (const FunctionDefinition& function : actions.functions()) add(function, true);
+}
+
 const EnvironmentKind* environment_of(const SourceTree& program) {
   return environment_of(words_of(program));
 }

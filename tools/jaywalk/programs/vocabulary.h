@@ -11,11 +11,15 @@
 #include "experiment/scenario/scenario.h"
 #include "interpreter/check/check.h"
 #include "interpreter/check/index/program_index.h"
+#include "interpreter/logic/action_registry.h"
 
 namespace jaywalk {
 
 /// For a program in that environment; without one, for a program in a world that we do not know.
 [[nodiscard]] Vocabulary vocabulary_for(const EnvironmentKind* environment);
+
+/// Adds the internal actions and functions that are none of the standard ones.
+void add_own_actions(const ActionRegistry& actions, Vocabulary& vocabulary);
 
 /// The environment that a program seems to be written for: it takes its actions and no others, and
 /// has its percepts or the values of its actions, too. Null if there is none.

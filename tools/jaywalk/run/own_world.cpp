@@ -41,14 +41,15 @@ void OwnWorld::error(std::string message, Diagnostics& diagnostics) const {
   if (where.source != nullptr) {
     diagnostics.error(where, std::move(message));
   } else {
-    diagnostics.error(option::kEnvironment.dashed(), std::move(message));
+    diagnostics.error(named_by, std::move(message));
   }
 }
 
 void OwnWorld::report_failure(const ProcessEnvironment& world, Diagnostics& diagnostics) const {
   if (world.failure().empty()) return;
-  error(fmt::format("the environment '{}': {}", fmt::join(command, " "), world.failure()),
-        diagnostics);
+  const std::string name =
+      title.empty() ? fmt::format("the environment '{}'", fmt::join(command, " ")) : title;
+  error(fmt::format("{}: {}", name, world.failure()), diagnostics);
   diagnostics.append(world.mistakes());
 }
 

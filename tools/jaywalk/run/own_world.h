@@ -33,8 +33,13 @@ struct OwnWorld {
   /// Terms for it, as text.
   std::vector<std::string> arguments;
   double answer_s = ProcessEnvironment::kAnswerS;
-  /// Its place in a project; none of an option.
+  /// Its place in a project; without one, the option or variable that names it.
   SourceSpan where;
+  std::string named_by = option::kEnvironment.dashed();
+  /// What messages call it; empty: the environment, by its command.
+  std::string title = {};
+  /// It has internal actions and functions for the agents, too (world_calls.h).
+  bool has_actions = false;
 
   /// An error about it, at the place that names it.
   void error(std::string message, Diagnostics& diagnostics) const;

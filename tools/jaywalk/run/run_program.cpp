@@ -25,8 +25,10 @@
 #include "tools/jaywalk/options/shipped.h"
 #include "tools/jaywalk/programs/program_check.h"
 #include "tools/jaywalk/run/agent_trace.h"
+#include "tools/jaywalk/run/java_host.h"
 #include "tools/jaywalk/run/own_world.h"
 #include "tools/jaywalk/run/run_files.h"
+#include "tools/jaywalk/run/world_calls.h"
 
 namespace jaywalk {
 namespace {
@@ -121,13 +123,22 @@ struct RunWorld {
   DeclaredWords words;
 };
 
-/// Starts the world that the user names; none if no one does, after adding errors, and if the user
+/// The world that the user names, or the host of the agents' Java classes.
+std::optional<OwnWorld> named_world(const Arguments& arguments, const ProjectParts& parts,
+                                    const std::string& folder, Diagnostics& diagnostics) {
+  const bool is_named = arguments.has(option::kEnvironment) || parts.environment;
+  if (!is_named && has_jason(arguments) && (parts.java.environment || calls_java(parts.programs))) {
+    return java_world(arguments, parts.java, folder, diagnostics);
+  }
+  return own_world(arguments, parts.environment, folder, diagnostics);
+}
+
+/// Starts the agents' world; none if they have none, after adding errors, and if the user
 /// interrupts it.
-std::optional<RunWorld> start_world(const Arguments& arguments,
-                                    const std::optional<ProjectEnvironment>& project,
+std::optional<RunWorld> start_world(const Arguments& arguments, const ProjectParts& parts,
                                     const std::string& folder, Console& console,
                                     Diagnostics& diagnostics) {
-  auto named = own_world(arguments, project, folder, diagnostics);
+  auto named = named_world(arguments, parts, folder, diagnostics);
   if (!named) return std::nullopt;
   auto environment = make_world(*named, console);
   const InterruptGuard interrupt;
@@ -153,9 +164,12 @@ std::optional<End> end_world(RunWorld& world, const InterruptGuard& interrupt, C
   return End{ExitCode::failed, "errored"};
 }
 
-End run_to_end(Mas& mas, const Limits& limits, const InterruptGuard& interrupt, Console& console) {
+/// `calls`: what the world does for agents beside what they perceive; may be null.
+End run_to_end(Mas& mas, WorldCalls* calls, const Limits& limits, const InterruptGuard& interrupt,
+               Console& console) {
   const Deadline deadline(limits.timeout_s);
   for (std::uint64_t steps = 1; mas.stride(); ++steps) {
+    if (calls != nullptr) calls->deliver(mas);
     if (interrupt.interrupted()) {
       console.note("interrupted");
       return {ExitCode::interrupted, "interrupted"};
@@ -175,19 +189,19 @@ enum class ProgramCheck { off, alone, in_project };
 /// Loads and compiles each agent's program, once for all agents that share it. Those whose program
 /// is missing or wrong are left out and diagnosed.
 std::vector<AgentSpec> compile_all(const std::vector<ProgramSource>& sources, ProgramCheck check,
-                                   KnownWorld world, SymbolTable& symbols, Diagnostics& all) {
+                                   KnownWorld world, const ActionRegistry* actions,
+                                   SymbolTable& symbols, Diagnostics& all) {
   std::vector<AgentSpec> agents;
   for (const ProgramSource& source : sources) {
     Diagnostics diagnostics;
-    const SourceTree tree = source.text ? load_agent(source.text, source.include_path, diagnostics)
-                                        : load_agent(source.path, source.include_path, diagnostics);
-    const auto program = compile(tree, symbols, diagnostics);
+    const SourceTree tree = load_source(source, diagnostics);
+    const auto program = compile(tree, symbols, diagnostics, {.actions = actions});
     // The agent runs without the missing include, as in Jason, but it is reported as an error.
     diagnostics = with_errors(diagnostics, kMissingInclude, kMissingIncludeHint);
     if (program && check != ProgramCheck::off) {
       check_compiled(tree, source.path,
                      check == ProgramCheck::alone ? StartedAs::alone : StartedAs::part, world,
-                     diagnostics);
+                     actions, diagnostics);
     }
     all.append(std::move(diagnostics));
     if (!program) continue;
@@ -219,15 +233,24 @@ ExitCode run_parts(ProjectParts parts, const std::string& folder, ProgramCheck c
   if (!writable) return ExitCode::usage;
   const auto symbols = std::make_shared<SymbolTable>();
   Diagnostics diagnostics;
-  auto world = start_world(arguments, parts.environment, folder, console, diagnostics);
+  auto world = start_world(arguments, parts, folder, console, diagnostics);
   if (end_requested) {
     console.note("interrupted");
     return ExitCode::interrupted;
   }
   const bool lacks_world = diagnostics.has_errors();
-  std::vector<AgentSpec> agents =
-      compile_all(parts.programs, arguments.has(option::kNoCheck) ? ProgramCheck::off : check,
-                  world ? KnownWorld(world->words.kind()) : KnownWorld(), *symbols, diagnostics);
+  std::optional<WorldCalls> calls;
+  if (world && world->named.has_actions) {
+    calls.emplace(*world->environment);
+    Diagnostics reported_later;
+    for (const ProgramSource& program : parts.programs) {
+      calls->add_missing(load_source(program, reported_later));
+    }
+  }
+  const ActionRegistry* const actions = calls ? &calls->actions() : nullptr;
+  std::vector<AgentSpec> agents = compile_all(
+      parts.programs, arguments.has(option::kNoCheck) ? ProgramCheck::off : check,
+      world ? KnownWorld(world->words.kind()) : KnownWorld(), actions, *symbols, diagnostics);
   console.report(diagnostics);
   if (lacks_world || (agents.empty() && diagnostics.has_errors())) return ExitCode::usage;
   MasOptions options = limits.mas;
@@ -241,7 +264,7 @@ ExitCode run_parts(ProjectParts parts, const std::string& folder, ProgramCheck c
   const IncludePath include_path =
       parts.programs.empty() ? IncludePath{} : parts.programs.front().include_path;
   parts.programs = {};  // which has a name for each of perhaps very many agents, as the agents have
-  options.load_program = [loader = std::make_shared<ProgramLoader>(folder, include_path)](
+  options.load_program = [loader = std::make_shared<ProgramLoader>(folder, include_path, actions)](
                              const ProgramRequest& request, SymbolTable& run_symbols,
                              LoadProblem& problem) {
     return loader->load(request, run_symbols, problem);
@@ -290,7 +313,7 @@ ExitCode run_parts(ProjectParts parts, const std::string& folder, ProgramCheck c
                                          .next_timer_ms = [&mas] { return mas.next_timer_ms(); }});
   }
   agents = {};
-  End end = run_to_end(mas, limits, interrupt, console);
+  End end = run_to_end(mas, calls ? &*calls : nullptr, limits, interrupt, console);
   std::string why = mas.outcome().message;
   if (const auto failed = world ? end_world(*world, interrupt, console) : std::nullopt) {
     end = *failed;
@@ -324,8 +347,8 @@ ExitCode run_agent_file(const std::string& path, const Arguments& arguments, Con
   const ProgramSource source{.path = path,
                              .include_path = *include_path,
                              .agents = {std::filesystem::path(path).stem().string()}};
-  return run_parts({.programs = {source}, .environment = {}}, folder_of(path), ProgramCheck::alone,
-                   *limits, arguments, console);
+  return run_parts({.programs = {source}, .environment = {}, .java = {}}, folder_of(path),
+                   ProgramCheck::alone, *limits, arguments, console);
 }
 
 ExitCode run_project_file(const std::string& path, const Arguments& arguments, Console& console) {
@@ -333,8 +356,8 @@ ExitCode run_project_file(const std::string& path, const Arguments& arguments, C
   const auto include_path = read_include_path(arguments, console);
   if (!limits || !include_path) return ExitCode::usage;
   Diagnostics diagnostics;
-  const JavaParts java =
-      arguments.has(option::kIgnoreJava) ? JavaParts::ignored : JavaParts::refused;
+  const JavaParts java{.hosted = has_jason(arguments),
+                       .ignored = arguments.has(option::kIgnoreJava)};
   auto parts = read_project_agents(path, *include_path, java, diagnostics);
   console.report(diagnostics);
   if (!parts) return ExitCode::usage;
