@@ -26,11 +26,11 @@ struct Dimension {
   [[nodiscard]] std::size_t distinct_values() const;
   /// The number that a value from -1 to 1 stands for. REQUIRES: not words.
   [[nodiscard]] double number(double value) const;
-  /// The same as text, six digits of a number.
+  /// number() or the word as text; numbers have six digits.
   [[nodiscard]] std::string text(double value) const;
 };
 
-/// Which of so many choices a value from -1 to 1 is; all are equally wide.
+/// The choice, of `count` equally wide ones, in which a value from -1 to 1 lies.
 [[nodiscard]] std::size_t choice(double value, std::size_t count);
 
 /// Without its key: `[from, to]`, `{whole: [from, to], step: 2}`, `[forward, back]`, `[1, 2, 4]` or

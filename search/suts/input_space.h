@@ -14,7 +14,7 @@
 
 namespace jaywalk::search {
 
-/// What a signal does between the values that are searched.
+/// How a signal goes on between the values that are searched.
 enum class Interpolation {
   /// Each value lasts for its piece, all pieces equally long.
   constant,

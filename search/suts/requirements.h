@@ -28,7 +28,7 @@ struct ReturnedSignal {
 struct Requirement {
   std::string id;
   stl::Expression condition;
-  /// The same with robustness from -1 to 1; none: the robustness is divided by `scale`.
+  /// Its formula with robustness from -1 to 1; none: the robustness is divided by `scale`.
   std::optional<stl::Expression> scaled;
   double scale = 1;
 };

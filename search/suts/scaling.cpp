@@ -54,7 +54,7 @@ class Scaler {
   }
 
  private:
-  /// Of a number; of no meaning for conditions.
+  /// The bounds of a number; conditions have none.
   [[nodiscard]] SignalRange range_of(const Node& node) const {
     using enum NodeKind;
     if (node.kind == number) return {node.number, node.number};
