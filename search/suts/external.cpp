@@ -181,6 +181,7 @@ class External : public SutModel {
     }
   }
 
+  [[nodiscard]] std::vector<std::string> command() const override { return settings_.command; }
   [[nodiscard]] std::span<const MeasureKind> measures() const override { return kinds_; }
   [[nodiscard]] std::vector<SutSetting> settings() const override {
     std::vector<SutSetting> all{
@@ -222,7 +223,6 @@ class ExternalOnRoads : public External {
     return start([this](const TestInput& input) { return road_request(space_, input); });
   }
   [[nodiscard]] const RoadSpace* road_space() const override { return &space_; }
-  [[nodiscard]] std::vector<std::string> command() const override { return settings_.command; }
 
  private:
   [[nodiscard]] SutSetting input_setting() const override {
