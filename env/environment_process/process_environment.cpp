@@ -46,7 +46,9 @@ ProcessEnvironment::ProcessEnvironment(Settings settings)
 ProcessEnvironment::~ProcessEnvironment() { end(); }
 
 void ProcessEnvironment::end() {
-  if (started_) process_.tell({{"type", "bye"}}, std::chrono::milliseconds(100));
+  if (started_) {
+    process_.tell({{"type", "bye"}, {"n", question_}}, std::chrono::milliseconds(100));
+  }
   started_ = false;
   process_.finish();
   show_errors();

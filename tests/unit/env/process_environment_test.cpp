@@ -149,7 +149,7 @@ TEST_F(AWorld, IsToldOfTheRun) {
   EXPECT_EQ(questions[1]["n"], 1);
   EXPECT_EQ(questions[1]["seed"], 42);
   EXPECT_EQ(questions[1]["agents"], json({"ann", "bob"}));
-  EXPECT_EQ(questions[2]["type"], "bye");
+  EXPECT_EQ(questions[2], json({{"type", "bye"}, {"n", 2}}));
 }
 
 TEST_F(AWorld, GivesEachAgentItsPercepts) {
