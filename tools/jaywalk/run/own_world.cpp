@@ -1,27 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/jaywalk/run/own_world.h"
 
-#include <exception>
+#include <string_view>
 #include <utility>
+#include <wordexp.h>
 
-#include <boost/program_options/parsers.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace jaywalk {
 namespace {
 
+/// Why the shell's rules do not divide a command into words; by the result of wordexp().
+std::string_view no_command(int result) {
+  switch (result) {
+    case WRDE_BADCHAR:
+      return "one of | & ; < > ( ) { } must be in quotes";
+    case WRDE_BADVAL:
+      return "it names a variable that is not set";
+    case WRDE_CMDSUB:
+      return "the output of another command cannot be put into it";
+    case WRDE_SYNTAX:
+      return "a quote or bracket is not closed";
+    default:
+      return "there is no memory for it";
+  }
+}
+
 /// The words of a command, as a shell divides them; none after reporting why not.
 std::vector<std::string> words_of_command(const std::string& command, const OwnWorld& world,
                                           Diagnostics& diagnostics) {
   std::vector<std::string> words;
-  try {
-    words = boost::program_options::split_unix(command);
-  } catch (const std::exception& problem) {
-    world.error(fmt::format("'{}' is no command: {}", command, problem.what()), diagnostics);
-    return {};
+  wordexp_t found{};
+  const int result = wordexp(command.c_str(), &found, WRDE_NOCMD | WRDE_UNDEF);
+  if (result == 0) {
+    words.assign(found.we_wordv, found.we_wordv + found.we_wordc);
+  } else {
+    world.error(fmt::format("not a command: {}", no_command(result)), diagnostics);
   }
-  if (words.empty()) world.error("expected a command, found none", diagnostics);
+  if (result == 0 || result == WRDE_NOSPACE) wordfree(&found);
+  if (result == 0 && words.empty()) world.error("expected a command, found none", diagnostics);
   return words;
 }
 
