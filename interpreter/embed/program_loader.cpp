@@ -70,8 +70,8 @@ std::shared_ptr<const Program> ProgramLoader::load(const ProgramRequest& request
                               ? load_agent(std::make_shared<const Source>(request.file, *text),
                                            include_path_, diagnostics)
                               : load_agent(path, include_path_, diagnostics);
-  auto program =
-      compile(tree, symbols, diagnostics, {.ns = request.ns, .fresh_names = request.included, .actions = actions_});
+  auto program = compile(tree, symbols, diagnostics,
+                         {.ns = request.ns, .fresh_names = request.included, .actions = actions_});
   if (diagnostics.has_errors()) problem.text = first_error(diagnostics);
   if (program == nullptr) return nullptr;
   if (!request.included || !program->has_own_namespaces()) loaded_[key] = {changed, program};

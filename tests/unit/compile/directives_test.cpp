@@ -97,10 +97,11 @@ TEST(Directives, RegisterFunctionsForTermsThatStandBefore) {
 }
 
 TEST(Directives, RefuseFunctionsThatAreWrittenInJava) {
-  EXPECT_EQ(CompiledProgram("{register_function(\"my.Function\")}").errors(),
-            "1:2: the function 'my.Function' is a Java class [run with --jason PATH (see "
-            "docs/guides/from_jason.md), or define it by a rule: register_function(\"my.f\", Arity, "
-            "\"pred\")]\n");
+  EXPECT_EQ(
+      CompiledProgram("{register_function(\"my.Function\")}").errors(),
+      "1:2: the function 'my.Function' is a Java class [run with --jason PATH (see "
+      "docs/guides/from_jason.md), or define it by a rule: register_function(\"my.f\", Arity, "
+      "\"pred\")]\n");
 }
 
 }  // namespace
