@@ -68,7 +68,7 @@ bool ProcessEnvironment::start() {
   return started_;
 }
 
-void ProcessEnvironment::begin(SymbolTable& symbols) {
+void ProcessEnvironment::use_names(SymbolTable& symbols) {
   symbols_ = &symbols;
   texts_.emplace(symbols);
 }

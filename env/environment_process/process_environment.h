@@ -79,7 +79,7 @@ class ProcessEnvironment final : public Environment {
   /// Ends the program now rather than with this object, so that all it wrote is shown.
   void end();
 
-  void begin(SymbolTable& symbols) override;
+  void use_names(SymbolTable& symbols) override;
   void perceive(AgentId agent, Percepts& percepts) const override;
   [[nodiscard]] bool is_unchanged(AgentId agent) const override;
   void execute(std::span<const ActionRequest> actions, std::span<ActionResult> results) override;

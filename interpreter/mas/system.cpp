@@ -19,7 +19,7 @@ Mas::Implementation::Implementation(std::unique_ptr<SystemStock> stock, MasOptio
           [this](const std::string& subscriber, const std::string& provider,
                  const std::string& service) { tell_of_provider(subscriber, provider, service); }) {
   if (options_.max_system_bytes == 0) options_.max_system_bytes = half_of_the_machines_memory();
-  if (environment_ != nullptr) environment_->begin(symbols_);
+  if (environment_ != nullptr) environment_->use_names(symbols_);
   counted_symbols_ = symbols_.symbol_count();
   counted_predicates_ = symbols_.predicate_count();
   share_memory();

@@ -16,7 +16,7 @@ using stl::NodeKind;
 /// From the least to the greatest of some values; what is undefined (inf - inf) has no bounds.
 SignalRange spanning(std::initializer_list<double> values) {
   if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return {};
-  return {std::ranges::min(values), std::ranges::max(values)};
+  return {std::min(values), std::max(values)};
 }
 
 SignalRange product(SignalRange a, SignalRange b) {

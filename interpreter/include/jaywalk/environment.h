@@ -11,7 +11,7 @@
 //
 // An environment enters the names of its percepts and actions into the table when it is made
 // (predicate_named of value.h), and compares numbers from then on. Names that it meets later go
-// into the table of the run (`begin`).
+// into the table of the run (`use_names`).
 
 #include <cstdint>
 #include <functional>
@@ -88,7 +88,7 @@ class Environment {
 
   /// A run begins. `symbols` are its names: those of the table that the environment was made with,
   /// and what is entered from now on. They are good until the run ends.
-  virtual void begin(SymbolTable& /*symbols*/) {}
+  virtual void use_names(SymbolTable& /*symbols*/) {}
   /// Adds all that `agent` perceives now, best in the same order every time, what comes and goes
   /// last. Agents perceive one after another, the world between two ticks being the same for all.
   virtual void perceive(AgentId agent, Percepts& percepts) const = 0;

@@ -60,7 +60,7 @@ class AWorld : public FolderTest {
     (void)begin_run();
   }
   bool begin_run() {
-    world_->begin(symbols_);
+    world_->use_names(symbols_);
     return world_->begin_run(
         42, {.count = 2,
              .name = [](AgentId id) { return kNames[static_cast<std::size_t>(id)]; },

@@ -28,7 +28,7 @@ class Workshop final : public Environment {
   explicit Workshop(SymbolTable& symbols)
       : fail_(symbols.predicate("fail", 1)), tick_(symbols.predicate("tick", 1)) {}
 
-  void begin(SymbolTable& symbols) override { symbols_ = &symbols; }
+  void use_names(SymbolTable& symbols) override { symbols_ = &symbols; }
 
   void perceive(AgentId /*agent*/, Percepts& percepts) const override {
     percepts.add(tick_, {Value::number(now_)});
