@@ -153,7 +153,7 @@ std::optional<EnvironmentIdentity> Trials::try_world(const OwnWorld& world,
   auto environment = make_world(world, console_);
   bool began = environment->start();
   if (began) {
-    environment->begin(symbols);
+    environment->use_names(symbols);
     began = environment->begin_run(
         0, {.count = agents.size(),
             .name = [&agents](AgentId id) { return agents[static_cast<std::size_t>(id)]; },
