@@ -13,6 +13,12 @@ import jaywalk
 CROSS = "!cross. +!cross : at(X,Y) & grid(R,C) & X < R-1 <- move(right); !cross. +!cross. -!cross <- stay; !cross."
 
 
+class Careful(jaywalk.AV):
+    def act(self, view):
+        near = [each for each in view.actors if -1 < each.gap_m < 25 and each.kind == "pedestrian"]
+        return -9.0 if near else 1.0
+
+
 class ScenarioTest(unittest.TestCase):
     def test_compares_a_behaviour_that_is_a_text(self):
         scenario = jaywalk.load_scenario("paper", behaviours={"crosser": CROSS})
@@ -53,13 +59,16 @@ class ScenarioTest(unittest.TestCase):
         self.assertEqual(counted["hunter"], next(row["kills"] for row in json.loads(results.json)["kills"]["rows"] if row["behaviour"] == "hunter"))
 
     def test_counts_the_kills_of_an_own_av(self):
-        class Careful(jaywalk.AV):
-            def act(self, view):
-                near = [each for each in view.actors if -1 < each.gap_m < 25 and each.kind == "pedestrian"]
-                return -9.0 if near else 1.0
-
-        results = jaywalk.compare("rules_of_the_road", behaviours=["brink"], agents=1, tests=30, av=Careful, defects="latency=0.9")
+        results = jaywalk.compare("rules_of_the_road", behaviours=["random_behaviour"], agents=1, tests=30, av=Careful,
+                                  defects="short-range=12")  # fmt: skip
         self.assertEqual(list(results.kills["tests"]), [30])
+        self.assertGreater(results.kills["kills"][0], 0)
+
+    def test_puts_defects_on_an_own_av_where_the_scenarios_never_brakes(self):
+        options = {"behaviours": ["proximity"], "agents": 1, "tests": 5, "defects": "latency=0.9", "assertions": ["crossing"]}
+        self.assertEqual(list(jaywalk.compare("paper", av=Careful, **options).kills["tests"]), [5])
+        with self.assertRaisesRegex(jaywalk.Error, "no defect shows in it"):
+            jaywalk.compare("paper", **options)
 
     def test_has_no_kills_without_defects(self):
         results = jaywalk.compare("rules_of_the_road", behaviours=["brink"], agents=1, tests=2)
