@@ -37,19 +37,15 @@ class Pending:
     others of the agent go on; the agent hears of it at the beginning of the next tick. Any thread may set it."""
 
     def __init__(self) -> None:
-        self._failure: Optional[str] = None
-        self._has_failed = False
+        self._result: Optional[tuple[bool, str]] = None
 
     def succeed(self) -> None:
-        """The action is done. Whatever is set first counts."""
-        if self._failure is None:
-            self._failure = ""
+        """The action is done. What is set first counts."""
+        self._result = self._result or (True, "")
 
     def fail(self, reason: str = "") -> None:
         """The action has failed; the reason is the failure's `error_msg`."""
-        if self._failure is None:
-            self._has_failed = True
-            self._failure = reason
+        self._result = self._result or (False, reason)
 
 
 class Environment:

@@ -408,7 +408,8 @@ def load_scenario(
     line break. `params` replace its values: {"world.av.speed": 2}. `behaviours` are names of the scenario's, paths of
     programs, or a dict of names and texts of AgentSpeak; by default all of the scenario's. `av` is a class derived from
     AV that drives instead of the scenario's AV. `defects` ("latency", "short-range=12", or "all") makes each test of a
-    comparison run with the AV as it is and with each of these defects of it. Errors: jaywalk.Error with the places of all mistakes.
+    comparison run with the AV as it is and with each of these defects of it. Errors: jaywalk.Error with the places of
+    all mistakes.
     """
     if av is not None and not callable(av):
         raise TypeError(f"av is a class derived from AV, found {av!r}")

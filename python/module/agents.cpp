@@ -178,11 +178,10 @@ class World final : public Environment {
     if (slow_.empty()) return;
     const py::gil_scoped_acquire acquire;
     std::erase_if(slow_, [&](const auto& each) {
-      const py::object failure = each.second.attr("_failure");
-      if (failure.is_none()) return false;
-      const auto reason = failure.template cast<std::string>();
-      deliver(each.first, {.succeeded = !each.second.attr("_has_failed").template cast<bool>(),
-                           .reason = reason});
+      const py::object result = each.second.attr("_result");
+      if (result.is_none()) return false;
+      const auto [succeeded, reason] = result.template cast<std::pair<bool, std::string>>();
+      deliver(each.first, {.succeeded = succeeded, .reason = reason});
       return true;
     });
   }
